@@ -1,0 +1,18 @@
+# Compiler flags live on one interface target: nothing global, nothing leaks to users of the libraries.
+add_library(icebow_flags INTERFACE)
+target_include_directories(icebow_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(icebow_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor $<$<BOOL:${ICEBOW_WERROR}>:-Werror>)
+if(ICEBOW_ASSERTS)
+  string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
+endif()
+if(ICEBOW_SANITIZE)
+  target_compile_options(icebow_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(icebow_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# icebow_library(name SOURCES ... LINKS public libraries ... USES private libraries ...)
+function(icebow_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;USES" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC icebow_flags ${ARG_LINKS} PRIVATE ${ARG_USES})
+endfunction()

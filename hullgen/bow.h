@@ -1,0 +1,68 @@
+// A bow from its angles: parameters, feasibility and the closed quad hull.
+//
+// Angles in radians. Stem angle: profile against the horizontal at the stem; waterline angle: entrance against the
+// centre plane at the stem; buttock angle: against the horizontal at y = B/4; flare angle: from the vertical at
+// y = B/4. The first two belong to P0 = (y = 0, design waterline), the last two to P1 = (y = B/4, design waterline).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/quad_mesh.h"
+
+namespace icebow {
+
+enum class BowFamily { straight_parallel_buttocks, thyssen_waas };
+
+struct BowAngles {
+  double stem = 0.0;       //!< [rad]
+  double waterline = 0.0;  //!< [rad]
+  double buttock = 0.0;    //!< [rad]
+  double flare = 0.0;      //!< [rad] from the vertical
+};
+
+struct BowParameters {
+  BowFamily family = BowFamily::straight_parallel_buttocks;
+  BowAngles angles;
+  double L = 0.0;         //!< length between perpendiculars [m]
+  double B = 0.0;         //!< beam [m]
+  double T = 0.0;         //!< draught [m]
+  double D = 0.0;         //!< depth [m]
+  double Lf = 0.0;        //!< length of the bow along the design waterline [m]
+  double panel = 0.0;     //!< wanted edge length of a quad in the ice belt [m]; 0 = B/60
+  double belt_below = 1.5;  //!< ice belt reaches this far below the design waterline [m]
+  double belt_above = 1.0;  //!< and this far above it [m]
+};
+
+// One feasibility inequality, written so that value >= 0 means satisfied.
+struct Margin {
+  std::string name;      // "g1"
+  double value = 0.0;    // metres or cotangents, see docs/theory.md
+  bool required = true;  // a margin that is only reported (convexity of a hollow waterline) is false
+  std::string sentence;  // what it means and, where negative, which parameter to move which way
+};
+
+struct BowFeasibility {
+  bool feasible = false;
+  std::vector<Margin> margins;
+  std::string reason;  // the violated inequalities in words; empty where feasible
+};
+
+BowFeasibility check_feasibility(const BowParameters& bow);
+
+enum class HullStatus { ok, infeasible, mesh_rejected };
+
+struct Hull {
+  HullStatus status = HullStatus::infeasible;
+  std::string reason;  // why there is no mesh
+  BowFeasibility feasibility;
+  QuadMesh mesh;       // closed, oriented outward, free of self-intersections where status is ok
+  BowAngles measured;  // read back from the mesh
+  double waterline_at_quarter_beam = 0.0;  //!< derived angle at P1 [rad]
+  double flare_at_stem = 0.0;              //!< derived angle at P0 [rad]
+};
+
+// Never throws for an impossible bow: the status says so.
+Hull make_hull(const BowParameters& bow);
+
+}  // namespace icebow

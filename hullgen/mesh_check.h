@@ -1,0 +1,25 @@
+// What CGAL says of a quad mesh.
+#pragma once
+
+#include <string>
+
+#include "base/quad_mesh.h"
+
+namespace icebow {
+
+struct MeshCheck {
+  bool valid_polygon_mesh = false;
+  bool closed = false;
+  bool outward = false;             // bounds a volume with outward orientation
+  bool self_intersecting = false;   // tested on the triangulated mesh
+  double max_warp = 0.0;            // largest distance of a quad's corner from its mean plane over its mean edge length
+  int quads = 0, triangles = 0, points = 0;
+  double volume = 0.0;              //!< [m^3]
+
+  bool ok() const { return valid_polygon_mesh && closed && outward && !self_intersecting; }
+  std::string reason() const;  // the first thing wrong, in words; empty where ok
+};
+
+MeshCheck check_mesh(const QuadMesh& mesh);
+
+}  // namespace icebow

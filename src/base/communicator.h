@@ -1,0 +1,61 @@
+// A group of ranks. MPI stays behind this wall: only communicator.cpp and solver/halo.cpp include <mpi.h>.
+//
+// Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one rank.
+// Every call named collective must be made by all ranks of the group, with arguments of the same size.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace icebow {
+
+class Communicator {
+ public:
+  static Communicator serial();  // one rank, MPI untouched
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool is_root() const { return rank_ == 0; }
+
+  // Collective.
+  Communicator split(int color) const;  // ranks of one colour form a group, in rank order
+  void barrier() const;
+  void broadcast(void* data, std::size_t bytes, int root = 0) const;
+  std::string broadcast(std::string text, int root = 0) const;
+  void sum(std::int64_t* values, int n) const;  // exact, so independent of the number of ranks
+  void sum(double* values, int n) const;        // order depends on MPI: never for anything compared bitwise
+  double max(double value) const;
+  bool all(bool value) const;  // true where every rank says true
+  bool any(bool value) const;
+  // Root gets every rank's bytes in rank order, the others get nothing.
+  std::vector<std::vector<char>> gather(const std::vector<char>& bytes, int root = 0) const;
+
+  struct Native;  // holds the MPI communicator; defined in communicator_native.h for halo.cpp
+  const Native* native() const { return native_.get(); }
+
+  Communicator(std::shared_ptr<const Native> native, int rank, int size)
+      : native_(std::move(native)), rank_(rank), size_(size) {}
+
+ private:
+  std::shared_ptr<const Native> native_;
+  int rank_, size_;
+};
+
+// MPI for the lifetime of the program when mpirun started it, nothing otherwise.
+class MpiSession {
+ public:
+  MpiSession(int& argc, char**& argv);
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+
+  static bool started_by_mpirun();
+  Communicator world() const;
+
+ private:
+  bool active_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,16 @@
+// For communicator.cpp and solver/halo.cpp only.
+#pragma once
+
+#include <mpi.h>
+
+#include "base/communicator.h"
+
+namespace icebow {
+
+struct Communicator::Native {
+  MPI_Comm comm = MPI_COMM_NULL;
+  bool owned = false;  // free it at the end
+  ~Native();
+};
+
+}  // namespace icebow
