@@ -1,0 +1,56 @@
+// Everything one icebreaking run needs besides the hull. SI, at the scale that is simulated (the model's).
+#pragma once
+
+#include <string>
+
+namespace icebow {
+
+struct IceMaterial {
+  double h = 0.0;        //!< thickness [m]
+  double rho = 0.0;      //!< density [kg/m^3]
+  double E = 0.0;        //!< elastic modulus [Pa]
+  double nu = 0.0;       //!< Poisson's ratio
+  double s0 = 0.0;       //!< critical stretch; 0 = from K_I
+  double K_I = 0.0;      //!< fracture toughness [Pa m^0.5]; used where s0 = 0
+};
+
+struct Water {
+  double rho = 1000.0;  //!< density [kg/m^3]
+  bool buoyancy_and_gravity = true;  // false: as in the paper, an ice sheet held by its fixed edges alone
+};
+
+enum class FixedEdges { none, sides, sides_and_far };  // sides = port and starboard; far = ahead of the ship
+
+struct Sheet {
+  double length = 0.0;  //!< along the ship's course [m]
+  double width = 0.0;   //!< across it, centred on the ship [m]
+  FixedEdges fixed = FixedEdges::sides;
+};
+
+enum class ContactRule {
+  relocation,  // to the surface, approaching normal velocity removed, Coulomb friction (docs/theory.md)
+  paper,       // velocity from the relocation itself, depth capped
+  penalty      // spring of stiffness E dx
+};
+
+struct Numerics {
+  double dx = 0.0;                //!< lattice spacing [m]
+  double horizon_ratio = 3.0;     //!< horizon / dx
+  double dt = 0.0;                //!< time step [s]; 0 = dt_fraction of the stability limit
+  double dt_fraction = 0.8;
+  bool surface_correction = true;
+  ContactRule contact = ContactRule::relocation;
+  double friction = 0.0;          //!< hull-ice Coulomb coefficient
+};
+
+struct Scenario {
+  IceMaterial ice;
+  Water water;
+  Sheet sheet;
+  Numerics numerics;
+  double V = 0.0;            //!< ship speed along +x [m/s]
+  double advance = 0.0;      //!< distance from first touch to the end of the run [m]
+  double steady_from = 0.0;  //!< metrics use the record from this advance on [m]
+};
+
+}  // namespace icebow
