@@ -1,0 +1,27 @@
+// One design: make the hull, return `infeasible` if it has a problem, else simulate, return its metrics.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "base/communicator.h"
+#include "solver/simulation.h"
+#include "study/evaluation.h"
+
+namespace icebow {
+
+struct EvaluateOptions {
+  std::string directory;  // of this design's files; made where missing; empty = no files
+  std::function<void(const Progress&)> on_progress;
+  std::function<bool()> stop;
+};
+
+// Collective; all ranks return the same. Never throws for what a design can do wrong: that is a status. An interrupted
+// run returns status `running` and must not be stored as finished.
+// Files: result.json, history.csv, lines.svg, hull.obj, ice_*.png, and ice.pvd, hull.pvd where snapshots are asked for.
+Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options);
+
+// Key of everything the result depends on: exact bits of the case (not its name) and the solver's result version.
+std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics);
+
+}  // namespace icebow

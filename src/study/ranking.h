@@ -1,0 +1,37 @@
+// Designs in order of merit, ties marked.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "study/evaluation.h"
+
+namespace icebow {
+
+struct RankedDesign {
+  Evaluation evaluation;
+  int rank = 0;            // 1 = best; 0 = not ranked (infeasible, failed)
+  bool tied_with_next = false;  // its interval overlaps that of the next design
+  bool tied_with_best = false;  // its interval overlaps that of the best design
+  double value = std::numeric_limits<double>::quiet_NaN();  // what was ranked (smaller is better), full scale
+  double mean_load = std::numeric_limits<double>::quiet_NaN();       //!< full scale [N]
+  double mean_load_ci95 = std::numeric_limits<double>::quiet_NaN();  //!< half width, full scale [N]
+  double lindqvist_breaking = std::numeric_limits<double>::quiet_NaN();  //!< [N]
+  double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / Lindqvist's breaking part
+};
+
+struct Ranking {
+  std::string rank_by;
+  std::vector<RankedDesign> rows;  // ranked first, then infeasible, then failed
+  double spearman = std::numeric_limits<double>::quiet_NaN();  // of mean load and Lindqvist over the ranked designs
+  int spearman_n = 0;
+};
+
+Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by);
+
+// Full-scale values in N; the keys of `icebow rank --json`: design, status, reason, parameters, mean_load_N,
+// mean_load_ci95_N, lindqvist_breaking_N, ratio, rank, tied_with_next, tied_with_best. NaN becomes null.
+Json to_json(const Ranking& ranking);
+
+}  // namespace icebow
