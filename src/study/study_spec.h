@@ -44,11 +44,11 @@ struct Variable {
 struct Method {
   MethodType type = MethodType::list;
   std::vector<Variable> variables;
-  int samples = 0;             // latin_hypercube
+  int samples = 0;  // latin_hypercube
   std::uint64_t seed = 1;
-  std::string algorithm;       // optimise: "sbplx", "cobyla", ...
-  int max_evaluations = 0;     // optimise
-  double tolerance = 0.0;      // optimise: relative, on the parameters
+  std::string algorithm;    // optimise: "sbplx", "cobyla", ...
+  int max_evaluations = 0;  // optimise
+  double tolerance = 0.0;   // optimise: relative, on the parameters
 };
 
 // A named design: a JSON merge patch (RFC 7386) on the study file.
@@ -59,8 +59,8 @@ struct NamedDesign {
 
 struct Execution {
   int ranks_per_design = 1;
-  int designs_at_once = 0;     // 0 = cores / ranks_per_design
-  double time_limit_s = 0.0;   // per design; 0 = none
+  int designs_at_once = 0;    // 0 = cores / ranks_per_design
+  double time_limit_s = 0.0;  // per design; 0 = none
 };
 
 struct StudySpec {
@@ -78,6 +78,10 @@ struct StudySpec {
 // Throw InputError with every mistake in the file, each by JSON pointer.
 StudySpec read_study(const std::string& path);
 StudySpec read_study(const Json& document, const std::string& name);
+// Only what describes one ship in one ice (scale, bow, ice, water, sheet, operation, solver, output): the
+// document of a design, its overrides applied. Methods, designs and execution in it are not looked at. Throws
+// likewise.
+Case read_case(const Json& document, const std::string& name);
 // "/bow/stem_deg=20": the value is JSON (a bare word is taken as a string). Throws InputError.
 void apply_set(Json& document, const std::string& assignment);
 
