@@ -1,0 +1,44 @@
+// From a study file to its designs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/evaluation.h"
+#include "study/study_spec.h"
+
+namespace icebow {
+
+struct PlannedDesign {
+  Design design;
+  std::string key;  // see evaluation_key()
+  std::string
+      mistake;  // why the design's document is not a valid study; empty where it is (then there is a key)
+};
+
+// What is known before anything runs. An optimiser proposes the rest as it goes.
+struct StudyPlan {
+  std::vector<PlannedDesign> designs;  // baseline, named designs, then those of the method; no key twice
+  std::vector<std::string> notes;      // "d004 is the same as baseline: evaluated once"
+  int proposals = 0;  // optimise: how many designs the optimiser may add at most; 0 otherwise
+};
+
+// Throws InputError where a named design is no valid study, or a name is used twice or cannot name a
+// directory. A point of the method that is no valid study is planned with its mistake: it becomes a failed
+// design.
+StudyPlan plan_study(const StudySpec& spec);
+
+// The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
+PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);
+
+// "d001" ...: the name of the n-th design of a method, counted from 1.
+std::string numbered_name(int n);
+
+// The value of a number in a document, by JSON pointer; NaN where there is none.
+double number_at(const Json& document, const std::string& pointer);
+
+// To ten significant digits: what a person reads in a table is what was run, and a value that went through
+// the optimiser's scaling comes back as the number in the study file.
+double rounded(double value);
+
+}  // namespace icebow
