@@ -1,1 +1,170 @@
 #include "base/json.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "base/errors.h"
+
+namespace icebow {
+namespace {
+
+struct Place {
+  std::size_t line = 1, column = 1;
+};
+
+Place place_of(const std::string& text, std::size_t position) {
+  Place place;
+  for (std::size_t i = 0; i < position && i < text.size(); ++i) {
+    const bool newline = text[i] == '\n';
+    place.line += newline;
+    place.column = newline ? 1 : place.column + 1;
+  }
+  return place;
+}
+
+std::string to_string(const Place& place) {
+  return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
+}
+
+// nlohmann calls back without a position, so the characters are counted as they are taken.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, std::size_t* taken) : at_(at), taken_(taken) {}
+  const char& operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    if (taken_) ++*taken_;
+    return *this;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* taken_;
+};
+
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." -> "syntax error ..."
+std::string without_prefix(const std::string& what) {
+  const std::size_t bracket = what.find("] ");
+  std::string text = bracket == std::string::npos ? what : what.substr(bracket + 2);
+  if (text.rfind("parse error at line", 0) == 0) {
+    const std::size_t colon = text.find(": ");
+    if (colon != std::string::npos) text = text.substr(colon + 2);
+  }
+  return text;
+}
+
+// Reads once for what the tree cannot show any more: repeated keys, numbers beyond a double, where the syntax
+// breaks.
+class Checker : public nlohmann::json_sax<Json> {
+ public:
+  Checker(const std::string& text, const std::size_t& taken) : text_(text), taken_(taken) {}
+  std::vector<Mistake> mistakes;
+
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    if (!levels_.back().keys.insert(name).second) {
+      // `taken_` stands behind the closing quote.
+      mistakes.push_back({to_string(place_of(text_, taken_ > 0 ? taken_ - 1 : 0)),
+                          "key \"" + name + "\" is given twice in one object; keep one of them"});
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) override {
+    const std::size_t at = position > 0 ? position - 1 : 0;
+    const bool overflow = dynamic_cast<const Json::out_of_range*>(&error) != nullptr;
+    mistakes.push_back({to_string(place_of(text_, at)),
+                        overflow ? "number " + token + " does not fit a double (largest about 1.8e308)"
+                                 : without_prefix(error.what())});
+    return false;
+  }
+
+ private:
+  struct Level {
+    std::set<std::string> keys;
+  };
+  static bool value() { return true; }
+  bool open() {
+    levels_.emplace_back();
+    return true;
+  }
+  bool close() {
+    levels_.pop_back();
+    return true;
+  }
+
+  const std::string& text_;
+  const std::size_t& taken_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace
+
+Json parse_json(const std::string& text, const std::string& name) {
+  std::size_t taken = 0;
+  Checker checker(text, taken);
+  const char* begin = text.data();
+  Json::sax_parse(CountingIterator(begin, &taken), CountingIterator(begin + text.size(), nullptr), &checker);
+  if (!checker.mistakes.empty()) throw InputError(name, std::move(checker.mistakes));
+  return Json::parse(text);
+}
+
+Json read_json_file(const std::string& path) {
+  return parse_json(read_text_file(path), path);
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
+  const auto fail = [&](const char* doing) {
+    const std::string why = std::strerror(errno);
+    std::remove(temporary.c_str());
+    throw RuntimeError("cannot " + std::string(doing) + " " + path + ": " + why);
+  };
+  errno = 0;
+  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+  if (!out) fail("write");
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) fail("write");
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail("replace");
+}
+
+std::string read_text_file(const std::string& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();  // sets failbit for an empty file too, badbit or nothing read for a directory
+  const bool empty = in && in.peek() == std::ifstream::traits_type::eof();
+  if (!in.is_open() || errno != 0 || (text.tellp() <= 0 && !empty)) {
+    throw InputError("cannot read " + path + ": " + std::strerror(errno != 0 ? errno : EIO));
+  }
+  return text.str();
+}
+
+}  // namespace icebow

@@ -8,8 +8,8 @@ namespace icebow {
 
 using Json = nlohmann::json;
 
-// Both throw InputError naming the file (and line and column of a syntax error); a key given twice in one object is
-// a mistake too, as is a number that does not fit a double.
+// Both throw InputError naming the file (and line and column of a syntax error); a key given twice in one
+// object is a mistake too, as is a number that does not fit a double.
 Json read_json_file(const std::string& path);
 Json parse_json(const std::string& text, const std::string& name);
 

@@ -1,0 +1,98 @@
+#include "base/json.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "base/errors.h"
+
+using namespace icebow;
+
+namespace {
+
+std::vector<Mistake> mistakes_of(const std::string& text) {
+  try {
+    parse_json(text, "test.json");
+  } catch (const InputError& e) {
+    CHECK(e.file() == "test.json");
+    return e.mistakes();
+  }
+  return {};
+}
+
+struct Directory {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("icebow_json_" + std::to_string(::getpid()));
+  Directory() { std::filesystem::create_directories(path); }
+  ~Directory() { std::filesystem::remove_all(path); }
+  std::string file(const std::string& name) const { return (path / name).string(); }
+};
+
+}  // namespace
+
+TEST_CASE("valid JSON is read with full precision") {
+  const Json json = parse_json("{\"a\": [1, 0.1, \"x\"], \"b\": {\"a\": 2}}", "t");
+  CHECK(json["a"][1].get<double>() == 0.1);
+  CHECK(json["b"]["a"] == 2);
+}
+
+TEST_CASE("a syntax error says line and column") {
+  const auto mistakes = mistakes_of("{\n  \"a\": 1,\n  \"b\": ,\n}");
+  REQUIRE(mistakes.size() == 1);
+  CHECK(mistakes[0].pointer == "line 3, column 8");
+  CHECK(mistakes[0].message.find("json.exception") == std::string::npos);
+  CHECK(mistakes[0].message.find("','") != std::string::npos);
+}
+
+TEST_CASE("text after the document and an empty document are mistakes") {
+  CHECK(mistakes_of("{} {}").size() == 1);
+  CHECK(mistakes_of("").size() == 1);
+  CHECK(mistakes_of("{\"a\": NaN}").size() == 1);
+}
+
+TEST_CASE("every repeated key is reported with its line, also in nested objects") {
+  const auto mistakes =
+      mistakes_of("{\"a\": 1,\n \"b\": {\"c\": 1,\n \"c\": 2}, \"d\": [{\"c\": 1}],\n \"a\": 3}");
+  REQUIRE(mistakes.size() == 2);
+  CHECK(mistakes[0].pointer == "line 3, column 4");
+  CHECK(mistakes[0].message.find("\"c\"") != std::string::npos);
+  CHECK(mistakes[1].pointer == "line 4, column 4");
+  CHECK(mistakes[1].message.find("\"a\"") != std::string::npos);
+}
+
+TEST_CASE("the same key in two different objects is no mistake") {
+  CHECK(mistakes_of("{\"a\": {\"x\": 1}, \"b\": {\"x\": 1}, \"x\": [{\"x\": 1}, {\"x\": 1}]}").empty());
+}
+
+TEST_CASE("a number beyond a double is a mistake with its place") {
+  const auto mistakes = mistakes_of("{\"a\": 1,\n\"b\": 1e400}");
+  REQUIRE(mistakes.size() == 1);
+  CHECK(mistakes[0].pointer.rfind("line 2", 0) == 0);
+  CHECK(mistakes[0].message.find("1e400") != std::string::npos);
+  CHECK(mistakes_of("{\"b\": 1e308}").empty());
+}
+
+TEST_CASE("files are replaced whole, and a failure names the file") {
+  const Directory dir;
+  write_text_file(dir.file("a.json"), "{\"a\": 1}");
+  write_text_file(dir.file("a.json"), "{\"a\": 2}");
+  CHECK(read_json_file(dir.file("a.json"))["a"] == 2);
+  CHECK(std::distance(std::filesystem::directory_iterator(dir.path), {}) == 1);  // no temporary left
+
+  CHECK_THROWS_AS(write_text_file(dir.file("missing/a.json"), "x"), RuntimeError);
+  CHECK_THROWS_WITH(write_text_file(dir.file("missing/a.json"), "x"), Catch::Contains("missing/a.json"));
+  std::filesystem::create_directories(dir.path / "taken");
+  CHECK_THROWS_AS(write_text_file(dir.file("taken"), "x"), RuntimeError);
+  CHECK(std::distance(std::filesystem::directory_iterator(dir.path), {}) == 2);
+}
+
+TEST_CASE("what cannot be read is an input error that names the file") {
+  const Directory dir;
+  CHECK_THROWS_AS(read_text_file(dir.file("absent.json")), InputError);
+  CHECK_THROWS_WITH(read_json_file(dir.file("absent.json")), Catch::Contains("absent.json"));
+  CHECK_THROWS_AS(read_text_file(dir.path.string()), InputError);
+  std::ofstream(dir.file("empty")).flush();
+  CHECK(read_text_file(dir.file("empty")).empty());
+}
