@@ -10,12 +10,12 @@ namespace icebow {
 
 // Statistics of a correlated series over its steady part.
 struct LoadStatistics {
-  double mean = 0.0;                 //!< [N]
-  double ci95 = 0.0;                 //!< half width of the 95 % confidence interval of the mean [N]
-  double max = 0.0;                  //!< [N]
-  double q95 = 0.0;                  //!< 95 % quantile [N]
-  double standard_deviation = 0.0;   //!< [N]
-  double effective_samples = 0.0;    // independent samples the series is worth
+  double mean = 0.0;                //!< [N]
+  double ci95 = 0.0;                //!< half width of the 95 % confidence interval of the mean [N]
+  double max = 0.0;                 //!< [N]
+  double q95 = 0.0;                 //!< 95 % quantile [N]
+  double standard_deviation = 0.0;  //!< [N]
+  double effective_samples = 0.0;   // independent samples the series is worth
   int samples = 0;
 };
 
@@ -24,17 +24,17 @@ struct LoadStatistics {
 LoadStatistics series_statistics(const std::vector<double>& values);
 
 struct Metrics {
-  LoadStatistics resistance;  // -Fx
-  LoadStatistics vertical;    // Fz
+  LoadStatistics resistance;                  // -Fx
+  LoadStatistics vertical;                    // Fz
   double steady_from = 0.0, steady_to = 0.0;  //!< advance [m]
-  std::int64_t broken_bonds = 0;    // each bond once
-  std::int64_t bonds = 0;           // in the reference configuration
-  double mean_damage = 0.0;         // broken / initial bonds, mean over the particles the ship met
-  double channel_width = 0.0;       //!< mean over stations [m]
+  std::int64_t broken_bonds = 0;              // each bond once
+  std::int64_t bonds = 0;                     // in the reference configuration
+  double mean_damage = 0.0;                   // broken / initial bonds, mean over the particles the ship met
+  double channel_width = 0.0;                 //!< mean over stations [m]
   double channel_width_over_beam = 0.0;
-  double crushed_volume = 0.0;      //!< in pieces smaller than (2h)^2 h [m^3]
-  double broken_volume = 0.0;       //!< detached from the standing sheet, crushed included [m^3]
-  int floes = 0;                    // detached pieces of at least (2h)^2 h
+  double crushed_volume = 0.0;  //!< in pieces smaller than (2h)^2 h [m^3]
+  double broken_volume = 0.0;   //!< detached from the standing sheet, crushed included [m^3]
+  int floes = 0;                // detached pieces of at least (2h)^2 h
 };
 
 }  // namespace icebow

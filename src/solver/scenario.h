@@ -6,16 +6,16 @@
 namespace icebow {
 
 struct IceMaterial {
-  double h = 0.0;        //!< thickness [m]
-  double rho = 0.0;      //!< density [kg/m^3]
-  double E = 0.0;        //!< elastic modulus [Pa]
-  double nu = 0.0;       //!< Poisson's ratio
-  double s0 = 0.0;       //!< critical stretch; 0 = from K_I
-  double K_I = 0.0;      //!< fracture toughness [Pa m^0.5]; used where s0 = 0
+  double h = 0.0;    //!< thickness [m]
+  double rho = 0.0;  //!< density [kg/m^3]
+  double E = 0.0;    //!< elastic modulus [Pa]
+  double nu = 0.0;   //!< Poisson's ratio
+  double s0 = 0.0;   //!< critical stretch; 0 = from K_I
+  double K_I = 0.0;  //!< fracture toughness [Pa m^0.5]; used where s0 = 0
 };
 
 struct Water {
-  double rho = 1000.0;  //!< density [kg/m^3]
+  double rho = 1000.0;               //!< density [kg/m^3]
   bool buoyancy_and_gravity = true;  // false: as in the paper, an ice sheet held by its fixed edges alone
 };
 
@@ -34,13 +34,13 @@ enum class ContactRule {
 };
 
 struct Numerics {
-  double dx = 0.0;                //!< lattice spacing [m]
-  double horizon_ratio = 3.0;     //!< horizon / dx
-  double dt = 0.0;                //!< time step [s]; 0 = dt_fraction of the stability limit
+  double dx = 0.0;             //!< lattice spacing [m]
+  double horizon_ratio = 3.0;  //!< horizon / dx
+  double dt = 0.0;             //!< time step [s]; 0 = dt_fraction of the stability limit
   double dt_fraction = 0.8;
   bool surface_correction = true;
   ContactRule contact = ContactRule::relocation;
-  double friction = 0.0;          //!< hull-ice Coulomb coefficient
+  double friction = 0.0;  //!< hull-ice Coulomb coefficient
 };
 
 struct Scenario {

@@ -14,16 +14,16 @@ namespace icebow {
 
 struct Progress {
   std::int64_t step = 0, steps = 0;
-  double advance = 0.0;          //!< [m]
-  double load = 0.0;             //!< latest resistance sample [N]
-  double seconds = 0.0;          //!< wall time so far
-  double ns_per_bond = 0.0;      //!< per directed bond per step
+  double advance = 0.0;      //!< [m]
+  double load = 0.0;         //!< latest resistance sample [N]
+  double seconds = 0.0;      //!< wall time so far
+  double ns_per_bond = 0.0;  //!< per directed bond per step
 };
 
 struct RunOptions {
-  std::string directory;      // where ice.pvd, hull.pvd, their steps and ice_*.png go; empty = no files
-  int snapshots = 0;          // ParaView snapshots, equally spaced in advance, the last one at the end
-  int pictures = 0;           // top-view PNG pictures, likewise: ice_000.png ...
+  std::string directory;  // where ice.pvd, hull.pvd, their steps and ice_*.png go; empty = no files
+  int snapshots = 0;      // ParaView snapshots, equally spaced in advance, the last one at the end
+  int pictures = 0;       // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
   std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
 };
@@ -32,22 +32,23 @@ enum class RunStatus { ok, failed, interrupted };
 
 struct RunResult {
   RunStatus status = RunStatus::failed;
-  std::string reason;   // why it failed, with time, step and place
+  std::string reason;  // why it failed, with time, step and place
   History history;
   Metrics metrics;
-  double dt = 0.0;              //!< [s]
-  double dt_limit = 0.0;        //!< stability limit used [s]
-  double s0 = 0.0;              // critical stretch used
-  int nx = 0, ny = 0, nz = 0;   // particles along x, y, z
+  double dt = 0.0;             //!< [s]
+  double dt_limit = 0.0;       //!< stability limit used [s]
+  double s0 = 0.0;             // critical stretch used
+  int nx = 0, ny = 0, nz = 0;  // particles along x, y, z
   std::int64_t directed_bonds = 0;
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
-  std::vector<std::string> pictures;  // file names in the directory, in order
+  std::vector<std::string> pictures;    // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };
 
-// Collective; every rank returns the same result. The hull is in its own frame (see QuadMesh) and at the scale of the
-// scenario. Throws InputError for a scenario that cannot be run (a sheet narrower than the hull, dt above the limit).
+// Collective; every rank returns the same result. The hull is in its own frame (see QuadMesh) and at the
+// scale of the scenario. Throws InputError for a scenario that cannot be run (a sheet narrower than the hull,
+// dt above the limit).
 RunResult simulate(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
                    const RunOptions& options);
 

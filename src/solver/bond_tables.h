@@ -1,0 +1,42 @@
+// The weights of every bond of the sheet, by class: volume and surface corrections cost nothing in a step.
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "solver/kernel.h"
+#include "solver/stencil.h"
+
+namespace icebow {
+
+struct BondTableOptions {
+  bool surface_correction = true;
+  double rho = 0.0;  //!< ice density [kg/m^3]
+};
+
+class BondTables {
+ public:
+  BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
+             const BondTableOptions& options);
+
+  // Tables of row (jl, k), jl counted from the first owned column.
+  RowTables row(int jl, int k) const;
+
+ private:
+  // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) share
+  // tables.
+  using RowClass = std::tuple<int, int, int>;  // distance to j = 0, to j = ny - 1, k
+  struct Weights {
+    std::vector<float> interior;
+    std::map<int, std::vector<float>> ends;  // by owned block
+    std::vector<const float*> lanes;         // what RowTables::lanes points at
+  };
+  RowClass row_class(int jl, int k) const;
+
+  int ny_, j0_;
+  std::vector<std::vector<SlotGeometry>> slots_;  // [k][slot]
+  std::map<RowClass, Weights> weights_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,83 @@
+#include "solver/contact.h"
+
+#include <algorithm>
+
+namespace icebow {
+namespace {
+
+// Coulomb: the hull drags the sliding particle, at most to its own speed.
+Vec3 friction(double mu, const Vec3& relative_velocity, const Vec3& normal, double normal_delta_v) {
+  const Vec3 tangential = relative_velocity - relative_velocity.dot(normal) * normal;
+  const double speed = tangential.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(1.0, mu * normal_delta_v / speed) * tangential;
+}
+
+}  // namespace
+
+ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const Vec3& velocity) {
+  const Vec3 relative = velocity - Vec3(s.V, 0.0, 0.0);
+  const double approach = std::max(0.0, -relative.dot(hit.normal));
+  const double depth = -hit.signed_distance;
+  ContactResponse r;
+  double normal_delta_v = 0.0;
+  switch (s.rule) {
+    case ContactRule::relocation:
+      r.push = depth * hit.normal;
+      normal_delta_v = approach;
+      break;
+    case ContactRule::paper:
+      // v_new = (u_new - u_old)/dt: the push itself becomes velocity. Capped at what the particle can have
+      // covered within the step: deeper ones did not get there by moving against the hull.
+      r.push = depth * hit.normal;
+      normal_delta_v = std::min(depth, relative.norm() * s.dt) / s.dt;
+      break;
+    case ContactRule::penalty:
+      normal_delta_v = s.penalty_stiffness * depth * s.dt / s.particle_mass;
+      break;
+  }
+  r.delta_v = normal_delta_v * hit.normal + friction(s.friction, relative, hit.normal, normal_delta_v);
+  return r;
+}
+
+HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
+    : distance_(hull, region), settings_(settings) {}
+
+int HullContact::apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse) const {
+  const Layout& layout = sheet.layout;
+  int contacts = 0;
+  for (int jl = 0; jl < layout.columns; ++jl) {
+    for (int k = 0; k < layout.nz; ++k) {
+      const std::size_t row = layout.row(jl, k);
+      const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
+      for (int b = 0; b < layout.blocks; ++b) {
+        if (!sheet.near_hull(jl, k, b)) continue;
+        for (int l = b * block; l < (b + 1) * block; ++l) {
+          if (!sheet.mobile(jl, l)) continue;
+          const std::size_t p = row + l;
+          const Vec3 position(sheet.lattice.x(layout.i0 + l) + sheet.u[0][p] - hull_x, y + sheet.u[1][p],
+                              z + sheet.u[2][p]);
+          if (!distance_.may_be_inside(position)) continue;
+          const ClosestPoint hit = distance_.closest(position);
+          if (hit.signed_distance >= 0.0) continue;
+          ++contacts;
+          const ContactResponse r =
+              respond(settings_, hit, Vec3(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]));
+          Vec3 delta_v;  // as stored: the hull gets exactly what the ice lost
+          for (int c = 0; c < 3; ++c) {
+            const float before = sheet.v[c][p];
+            sheet.v[c][p] = static_cast<float>(before + r.delta_v[c]);
+            delta_v[c] = double(sheet.v[c][p]) - before;
+            if (r.push[c] == 0.0) continue;
+            sheet.u[c][p] = static_cast<float>(sheet.u[c][p] + r.push[c]);
+            sheet.residual[c][p] = 0.0f;
+          }
+          impulse.add(-settings_.particle_mass * delta_v, hit.point);
+        }
+      }
+    }
+  }
+  return contacts;
+}
+
+}  // namespace icebow

@@ -1,0 +1,95 @@
+// The two bond passes and the time integration over rows of the lattice, in SIMD.
+//
+// One source (kernel_impl.h) is compiled for several vector widths; kernels() picks the widest this processor
+// has. Every particle, at any edge of any rank, takes the same arithmetic in the same order of offsets, and
+// the bond (k, j) gives bitwise the negative of (j, k): results do not depend on the number of ranks, and a
+// bond breaks at both ends in the same step.
+//
+// Law of a bond (docs/theory.md, eq. 10-12), with q = 2 xi.eta + eta.eta and e = q / L^2:
+//   stretch s = sqrt(1 + e) - 1 = e G(e),  1/|y| = R(e) / L,  s/|y| = e H(e) / L
+// G, R, H are polynomials fitted when the run starts (no root, no division, no cancellation); below e_min (a
+// shortening of 10 %) they stay at their value there.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace icebow {
+
+constexpr int law_degree = 5;
+
+struct BondLaw {
+  float G[law_degree + 1], R[law_degree + 1], H[law_degree + 1];  // coefficients of e^0 .. e^5
+  float e_min;                                                    // lower end of the fits
+  float e_break;                                                  // (1 + s0)^2 - 1: the bond breaks above
+};
+
+// Fits G, R, H on [e_min, e_break]; relative error below 2e-6 (tests/solver/kernel_test.cpp).
+BondLaw make_bond_law(double critical_stretch);
+
+// Constants of one slot of a layer.
+struct SlotGeometry {
+  std::ptrdiff_t neighbour;  // floats from a particle to its neighbour
+  float xi[3];               //!< reference bond [m]
+  float inverse_L2;          //!< 1/L^2 [1/m^2]
+};
+
+// Weights of a slot: theta += dilatation * s; acceleration += (pressure (theta_k + theta_j) + distortion s)
+// y/|y| with 1/L taken out of y/|y|. They hold volume and surface corrections, the bond constants and the
+// density.
+enum Weight { dilatation_weight, pressure_weight, distortion_weight, weights_per_slot };
+
+// A row's view of its tables. Interior blocks have one weight per slot, blocks near the ends of the sheet one
+// per lane.
+struct RowTables {
+  const SlotGeometry* slots;
+  int n_slots;
+  const float* interior;      // [slot][weight]
+  const float* const* lanes;  // [block]: [slot][weight][16], or nullptr where the block is interior
+};
+
+struct RowFields {
+  const float* u[3];      // displacement [m], at the row's first owned particle
+  float* v[3];            // velocity [m/s]
+  float* theta;           // dilatation
+  std::uint16_t* bits;    // [block][column slot]: alive bonds of 16 particles
+  int bits_per_block;     // column slots
+  std::uint8_t* touched;  // [block]: some bond of the block is broken or missing
+  int blocks;
+};
+
+// Weight, buoyancy and box test of the drift.
+struct DriftSettings {
+  float dt;                    //!< [s]
+  float gravity;               //!< [m/s^2]; 0 = no weight
+  float lift;                  //!< (rho_w/rho) g [m/s^2]
+  float inverse_dx;            //!< [1/m]
+  float box_lo[3], box_hi[3];  // hull's bounding box [m]
+};
+
+struct DriftRow {
+  float* u[3];
+  float* v[3];
+  float* residual[3];       // of the compensated sum of u
+  const float* x;           // reference x of each particle [m]
+  const float* mobile;      // 1, or 0 for particles that are held or do not exist
+  float y, z;               // reference y, z of the row [m]
+  std::uint8_t* near_hull;  // out, per block: some particle lies in the box
+  int blocks;
+};
+
+struct Kernels {
+  const char* name;  // "avx512", "avx2", "baseline"
+  int lanes;
+  // theta of a row; breaks bonds first and returns how many (each end counts its own).
+  int (*dilatation)(const RowFields&, const RowTables&, const BondLaw&);
+  // v += dt * acceleration from the bonds.
+  void (*force)(const RowFields&, const RowTables&, const BondLaw&, float dt);
+  // v += dt * (weight and lift); u += dt v.
+  void (*drift)(const DriftRow&, const DriftSettings&);
+};
+
+const Kernels& kernels();           // the widest this processor runs
+const Kernels& baseline_kernels();  // for tests
+
+}  // namespace icebow

@@ -1,0 +1,65 @@
+// The ice sheet as a uniform lattice, and one rank's part of it.
+//
+// Notation. A particle is (i, j, k): i along the ship's course (x), j across it (y), k upwards (z). Particles
+// with the same (j, k) form a row; a row is stored contiguously in x, padded with one ghost block at each
+// end. Along x a rank owns whole blocks of 16 particles, so that a particle has the same lane on any number
+// of ranks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "solver/scenario.h"
+
+namespace icebow {
+
+constexpr int block = 16;  // particles of a row that share a word of bond bits
+constexpr int reach = 3;   // horizon / dx, rounded down: how many neighbours a row sees on each side
+
+struct Lattice {
+  int nx = 0, ny = 0, nz = 0;
+  double dx = 0.0;  //!< spacing [m]
+  double z0 = 0.0;  //!< height of the lowest layer's centres above the water level, sheet afloat [m]
+
+  double x(int i) const { return (i + 0.5) * dx; }
+  double y(int j) const { return (j + 0.5 - 0.5 * ny) * dx; }
+  double z(int k) const { return z0 + k * dx; }
+  int blocks() const { return (nx + block - 1) / block; }
+  std::int64_t particles() const { return std::int64_t(nx) * ny * nz; }
+  double particle_volume() const { return dx * dx * dx; }
+  // Column-major number of a particle: the same on any number of ranks.
+  std::int64_t id(int i, int j, int k) const { return (std::int64_t(j) * nz + k) * nx + i; }
+};
+
+// The sheet of a scenario; its draught is that of floating ice. Throws InputError for a sheet thinner than a
+// layer.
+Lattice make_lattice(const Scenario& scenario);
+
+// Who owns what: a px x py grid of ranks over blocks (x) and columns (y).
+struct Partition {
+  int px = 1, py = 1;                                // ranks along x and y
+  int block0 = 0, block1 = 0;                        // owned blocks [block0, block1)
+  int j0 = 0, j1 = 0;                                // owned columns [j0, j1)
+  int west = -1, east = -1, south = -1, north = -1;  // ranks at -x, +x, -y, +y; -1 = none
+};
+
+// Chooses the rank grid with the smallest halo. Throws InputError where the sheet is too small for so many
+// ranks.
+Partition make_partition(const Lattice& lattice, int rank, int ranks);
+
+// Addresses of one rank's padded rows.
+struct Layout {
+  Layout(const Lattice& lattice, const Partition& part);
+
+  int nz;                 // layers
+  int blocks;             // owned blocks
+  int columns;            // owned columns (values of j)
+  int i0, j0;             // global index of the first owned particle
+  std::ptrdiff_t stride;  // floats from one row to the next
+  std::size_t size;       // floats in one field, ghosts included
+
+  // First owned particle of a row; jl = -reach .. columns + reach - 1 counts from the first owned column.
+  std::size_t row(int jl, int k) const { return (std::size_t(jl + reach) * nz + k) * stride + block; }
+};
+
+}  // namespace icebow

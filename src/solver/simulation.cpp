@@ -1,0 +1,214 @@
+#include "solver/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "base/errors.h"
+#include "solver/recorder.h"
+#include "solver/sheet_state.h"
+#include "solver/snapshots.h"
+#include "solver/stability.h"
+#include "solver/stepper.h"
+
+namespace icebow {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[320];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+void check(const QuadMesh& hull, const Scenario& s, const Lattice& lattice) {
+  const Box box = bounding_box(hull);
+  const double beam = box.upper.y() - box.lower.y();
+  if (lattice.ny * lattice.dx < 1.2 * beam) {
+    throw InputError(text("sheet of %.3f m is too narrow for a beam of %.3f m: make it at least %.3f m wide",
+                          s.sheet.width, beam, 1.2 * beam));
+  }
+  if (s.advance > s.sheet.length - 2.0 * s.ice.h) {
+    throw InputError(
+        text("advance %.3f m leaves no ice ahead in a sheet of %.3f m: shorten the advance or "
+             "lengthen the sheet",
+             s.advance, s.sheet.length));
+  }
+  if (!(s.V > 0.0)) throw InputError(text("speed %.3g m/s: the ship must sail ahead", s.V));
+  if (s.numerics.horizon_ratio < 1.0 || s.numerics.horizon_ratio >= reach + 1) {
+    throw InputError(
+        text("horizon of %.3g spacings: allowed 1 to less than %d", s.numerics.horizon_ratio, reach + 1));
+  }
+  const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
+  if (!(material.s0 > 0.0 && material.s0 < 0.05)) {
+    throw InputError(
+        text("critical stretch %.4g: allowed above 0 and below 0.05 (give a smaller fracture toughness "
+             "or a stiffer ice)",
+             material.s0));
+  }
+}
+
+struct TimeStep {
+  double dt, limit;
+};
+
+TimeStep time_step(const Scenario& s, const Lattice& lattice) {
+  const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
+  const Stencil stencil = make_stencil(lattice.nz, lattice.dx, material.delta);
+  const double limit =
+      stable_time_step(stencil, material, lattice.dx, s.ice.rho, s.numerics.surface_correction);
+  const double dt = s.numerics.dt > 0.0 ? s.numerics.dt : s.numerics.dt_fraction * limit;
+  if (dt > limit) {
+    throw InputError(
+        text("time step %.4g s is above the stability limit %.4g s of this lattice: use a smaller one, or "
+             "give none for %.2g of the limit",
+             dt, limit, s.numerics.dt_fraction));
+  }
+  return {dt, limit};
+}
+
+std::int64_t steps_of(const Scenario& s, double dt) {
+  return static_cast<std::int64_t>(std::ceil(s.advance / (s.V * dt)));
+}
+
+// Distance from the stem at the waterline aft to where the waterline first has its full breadth.
+double entrance_length(const QuadMesh& hull) {
+  const Box box = bounding_box(hull);
+  const double half_beam = box.upper.y(), tolerance = 0.02 * (box.upper.z() - box.lower.z());
+  double x = box.lower.x();
+  for (const Vec3& p : hull.points) {
+    if (std::abs(p.z()) < tolerance && p.y() > 0.999 * half_beam) x = std::max(x, p.x());
+  }
+  return -x;
+}
+
+Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Stepper& stepper,
+                const History& history) {
+  Metrics metrics;
+  std::vector<double> resistance, vertical;
+  metrics.steady_from = s.steady_from;
+  for (const HistoryRow& row : history.rows) {
+    if (row.advance <= s.steady_from) continue;
+    resistance.push_back(-row.F[0]);
+    vertical.push_back(row.F[2]);
+    metrics.steady_to = row.advance;
+  }
+  metrics.resistance = series_statistics(resistance);
+  metrics.vertical = series_statistics(vertical);
+  std::int64_t bonds = stepper.sheet().bits.count() + stepper.broken_bond_ends();
+  comm.sum(&bonds, 1);
+  metrics.bonds = bonds / 2;
+  metrics.broken_bonds = history.rows.empty() ? 0 : history.rows.back().broken_bonds;
+
+  const SheetState state = gather_state(comm, stepper.sheet());
+  if (comm.is_root()) {
+    const Box box = bounding_box(hull);
+    measure_sheet(state, 0.0, stepper.hull_x() - entrance_length(hull), box.upper.y() - box.lower.y(),
+                  metrics);
+  }
+  comm.broadcast(&metrics, sizeof metrics);
+  return metrics;
+}
+
+class Loop {
+ public:
+  Loop(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const RunOptions& options,
+       RunResult& result)
+      : comm_(comm), hull_(hull), s_(s), options_(options), result_(result) {}
+
+  void run(const Lattice& lattice) {
+    Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
+    Recorder recorder(comm_, stepper, s_);
+    Snapshots snapshots(comm_, hull_, s_, options_);
+    result_.s0 = stepper.material().s0;
+    std::int64_t bonds = stepper.sheet().bits.count();
+    comm_.sum(&bonds, 1);
+    result_.directed_bonds = bonds;
+    result_.status = RunStatus::ok;
+
+    start_ = last_report_ = Clock::now();
+    while (stepper.steps() < result_.steps) {
+      stepper.step();
+      if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
+      if (!recorder.sample(stepper, result_.reason)) {
+        result_.status = RunStatus::failed;
+        break;
+      }
+      snapshots.write_due(stepper, s_.V * stepper.time());
+      if (report(stepper, recorder.history())) {
+        result_.status = RunStatus::interrupted;
+        result_.reason = "interrupted";
+        break;
+      }
+    }
+    result_.wall_seconds = seconds_since(start_);
+    result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
+    if (result_.status == RunStatus::ok) snapshots.write_due(stepper, s_.advance);
+    result_.steps = stepper.steps();
+    result_.history = recorder.history();
+    result_.pictures = snapshots.pictures();
+    result_.picture_advance = snapshots.picture_advance();
+    if (result_.status == RunStatus::ok)
+      result_.metrics = measure(comm_, hull_, s_, stepper, result_.history);
+  }
+
+ private:
+  double ns_per_bond(std::int64_t steps, double seconds) const {
+    return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
+  }
+
+  // Collective: tells the observer and asks it whether to stop.
+  bool report(const Stepper& stepper, const History& history) {
+    bool stop = false;
+    if (comm_.is_root() && seconds_since(last_report_) > 0.25) {
+      last_report_ = Clock::now();
+      if (options_.on_progress) {
+        const HistoryRow& row = history.rows.back();
+        const double seconds = seconds_since(start_);
+        options_.on_progress({stepper.steps(), result_.steps, row.advance, -row.F[0], seconds,
+                              ns_per_bond(stepper.steps(), seconds)});
+      }
+      stop = options_.stop && options_.stop();
+    }
+    return comm_.any(stop);
+  }
+
+  const Communicator& comm_;
+  const QuadMesh& hull_;
+  const Scenario& s_;
+  const RunOptions& options_;
+  RunResult& result_;
+  Clock::time_point start_, last_report_;
+};
+
+}  // namespace
+
+RunSize run_size(const QuadMesh& hull, const Scenario& s) {
+  const Lattice lattice = make_lattice(s);
+  check(hull, s, lattice);
+  const TimeStep step = time_step(s, lattice);
+  return {lattice.nx, lattice.ny, lattice.nz, steps_of(s, step.dt), step.dt, step.limit};
+}
+
+RunResult simulate(const Communicator& comm, const QuadMesh& hull, const Scenario& s,
+                   const RunOptions& options) {
+  const RunSize size = run_size(hull, s);
+  RunResult result;
+  result.dt = size.dt;
+  result.dt_limit = size.dt_limit;
+  result.nx = size.nx;
+  result.ny = size.ny;
+  result.nz = size.nz;
+  result.steps = size.steps;
+  Loop(comm, hull, s, options, result).run(make_lattice(s));
+  return result;
+}
+
+}  // namespace icebow

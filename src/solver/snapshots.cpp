@@ -1,0 +1,76 @@
+#include "solver/snapshots.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/errors.h"
+#include "solver/picture.h"
+
+namespace icebow {
+namespace {
+
+std::string numbered(const char* format, int n) {
+  char name[32];
+  std::snprintf(name, sizeof name, format, n);
+  return name;
+}
+
+// The n-th of `count` moments, the last one at the end of the run.
+bool due(int written, int count, double advance, double total) {
+  return written < count && advance >= total * (written + 1) / count * (1.0 - 1e-9);
+}
+
+}  // namespace
+
+Snapshots::Snapshots(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
+                     const RunOptions& options)
+    : comm_(comm), hull_(hull), scenario_(scenario), options_(options) {}
+
+bool Snapshots::write_due(const Stepper& stepper, double advance) {
+  if (options_.directory.empty()) return false;
+  const bool paraview = due(snapshots_, options_.snapshots, advance, scenario_.advance);
+  const bool picture = due(static_cast<int>(pictures_.size()), options_.pictures, advance, scenario_.advance);
+  if (!paraview && !picture) return false;
+  const SheetState state = gather_state(comm_, stepper.sheet());
+  std::string trouble;  // a full disk on the root must not leave the others waiting
+  try {
+    if (paraview) write_paraview(state, stepper.time(), stepper.hull_x());
+    if (picture) write_picture(state, advance, stepper.hull_x());
+  } catch (const RuntimeError& error) {
+    trouble = error.what();
+  }
+  trouble = comm_.broadcast(trouble);
+  if (!trouble.empty()) throw RuntimeError(trouble);
+  return true;
+}
+
+void Snapshots::write_paraview(const SheetState& state, double time, double hull_x) {
+  const std::string ice = numbered("ice_%04d.vtp", snapshots_), hull = numbered("hull_%04d.vtp", snapshots_);
+  ++snapshots_;
+  if (!comm_.is_root()) return;
+  const std::string folder = options_.directory + "/";
+  write_ice_vtp(folder + ice, cloud(state));
+  write_hull_vtp(folder + hull, hull_, hull_x);
+  ice_steps_.emplace_back(time, ice);
+  hull_steps_.emplace_back(time, hull);
+  write_pvd(folder + "ice.pvd", ice_steps_);
+  write_pvd(folder + "hull.pvd", hull_steps_);
+}
+
+void Snapshots::write_picture(const SheetState& state, double advance, double hull_x) {
+  const std::string name = numbered("ice_%03d.png", static_cast<int>(pictures_.size()));
+  pictures_.push_back(name);
+  picture_advance_.push_back(advance);
+  if (!comm_.is_root()) return;
+  const Box box = bounding_box(hull_);
+  const double beam = box.upper.y() - box.lower.y(), half = std::min(0.5 * scenario_.sheet.width, 1.4 * beam);
+  PictureFrame frame;
+  frame.x_min = -0.3 * beam;
+  frame.x_max = std::min(scenario_.sheet.length, scenario_.advance + 1.2 * beam);
+  frame.y_min = -half;
+  frame.y_max = half;
+  frame.width_px = 1100;
+  write_top_view(options_.directory + "/" + name, cloud(state), hull_, hull_x, frame);
+}
+
+}  // namespace icebow

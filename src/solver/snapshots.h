@@ -1,0 +1,42 @@
+// Files of a run on its way: ParaView steps and top-view pictures, equally spaced in advance.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/communicator.h"
+#include "solver/sheet_state.h"
+#include "solver/simulation.h"
+#include "solver/stepper.h"
+
+namespace icebow {
+
+class Snapshots {
+ public:
+  // Throws RuntimeError where the directory cannot be written.
+  Snapshots(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
+            const RunOptions& options);
+
+  // Collective: writes what is due at this advance; `state` is gathered at most once. Returns true where it
+  // did.
+  bool write_due(const Stepper& stepper, double advance);
+
+  const std::vector<std::string>& pictures() const { return pictures_; }
+  const std::vector<double>& picture_advance() const { return picture_advance_; }
+
+ private:
+  void write_paraview(const SheetState& state, double time, double hull_x);
+  void write_picture(const SheetState& state, double advance, double hull_x);
+
+  const Communicator& comm_;
+  const QuadMesh& hull_;
+  const Scenario& scenario_;
+  const RunOptions& options_;
+  int snapshots_ = 0;  // written so far
+  std::vector<std::pair<double, std::string>> ice_steps_, hull_steps_;
+  std::vector<std::string> pictures_;
+  std::vector<double> picture_advance_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,69 @@
+// The bonds of a lattice particle: one list of offsets for each layer, with the constants of each offset.
+//
+// Source: Madenci and Oterkus 2014, ch. 4 (bond constants a, b, d) and ch. 10 (volume and surface
+// corrections); see docs/theory.md, equations (3)-(9).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/lattice.h"
+#include "solver/scenario.h"
+
+namespace icebow {
+
+// Constants of the ordinary state-based material on this lattice.
+struct Material {
+  double kappa = 0.0;  //!< bulk modulus [Pa]
+  double mu = 0.0;     //!< shear modulus [Pa]
+  double delta = 0.0;  //!< horizon [m]
+  double a = 0.0;      //!< [Pa]
+  double b = 0.0;      //!< [Pa/m^5]
+  double d = 0.0;      //!< [1/m^4]
+  double s0 = 0.0;     // critical stretch
+};
+
+Material make_material(const IceMaterial& ice, double dx, double horizon_ratio);
+
+// Critical stretch of an ordinary state-based material from the fracture toughness, eq. (8):
+// s0 = sqrt(G_c / ((3 mu + (3/4)^4 (kappa - 5 mu/3)) delta)), G_c = K_I^2 / E.
+double critical_stretch(const IceMaterial& ice, double delta);
+
+struct Offset {
+  int di = 0, dj = 0, dk = 0;
+  double length = 0.0;         //!< reference length of the bond [m]
+  double volume_factor = 0.0;  // nu: part of the neighbour's volume inside the horizon
+};
+
+// Layer k sees the offsets with 0 <= k + dk < nz, in one fixed order: sums over a family are the same on any
+// number of ranks. "Slot" is the place of an offset in its layer's list.
+struct Stencil {
+  std::vector<std::vector<Offset>> layer;  // [k][slot]
+  std::vector<int> first_slot;             // sum of slots of the layers below; last entry: slots of a column
+
+  int slots(int k) const { return static_cast<int>(layer[k].size()); }
+  int column_slots() const { return first_slot.back(); }
+};
+
+Stencil make_stencil(int nz, double dx, double horizon);
+
+// Where a particle is in the sheet, as far as its family can tell: distances to the edges, each cut at
+// `reach`.
+struct EdgeDistance {
+  int x_lo, x_hi, y_lo, y_hi, k;
+};
+
+// Surface correction factors of a particle along x, y, z: what its incomplete family must be multiplied with
+// so that a uniform stretch along that axis gives the dilatation and the distortional energy of the bulk.
+struct SurfaceFactors {
+  std::array<double, 3> dilatation, distortion;
+};
+SurfaceFactors surface_factors(const EdgeDistance& where, const Stencil& stencil, const Material& material,
+                               double dx);
+
+// Factor of a bond: both ends averaged, interpolated on the ellipsoid of its direction:
+// G = (sum_c n_c^2 / g_c^2)^(-1/2), eq. (7).
+double bond_factor(const std::array<double, 3>& end1, const std::array<double, 3>& end2, const Offset& offset,
+                   double dx);
+
+}  // namespace icebow

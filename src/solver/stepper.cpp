@@ -1,0 +1,102 @@
+#include "solver/stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/units.h"
+
+namespace icebow {
+namespace {
+
+// The part of the hull that can meet ice: from a little above the sheet (pieces ride up) down to the keel,
+// and as far aft as the sheet's near edge will be at the end of the run.
+Box contact_region(const QuadMesh& hull, const Scenario& s, const Lattice& lattice, double start_x) {
+  const Box box = bounding_box(hull);
+  const double beam = box.upper.y() - box.lower.y(), margin = 10.0 * lattice.dx;
+  Box region = box;
+  region.lower -= Vec3::Constant(margin);
+  region.upper += Vec3::Constant(margin);
+  region.lower.x() = std::max(region.lower.x(), -start_x - s.advance - 0.5 * beam);
+  region.upper.z() = std::min(region.upper.z(), lattice.z(lattice.nz - 1) + 5.0 * s.ice.h);
+  return region;
+}
+
+ContactSettings contact_settings(const Scenario& s, double dt, double dx) {
+  ContactSettings c;
+  c.rule = s.numerics.contact;
+  c.friction = s.numerics.friction;
+  c.V = s.V;
+  c.dt = dt;
+  c.particle_mass = s.ice.rho * dx * dx * dx;
+  c.penalty_stiffness = s.ice.E * dx;
+  return c;
+}
+
+}  // namespace
+
+double first_touch_x(const QuadMesh& hull, const Lattice& lattice) {
+  const double z_lo = lattice.z(0) - 0.5 * lattice.dx, z_hi = z_lo + lattice.nz * lattice.dx;
+  double front = -1e300;
+  for (const auto& quad : hull.quads) {
+    for (int corner = 0; corner < 4; ++corner) {
+      Vec3 a = hull.points[quad[corner]], b = hull.points[quad[(corner + 1) % 4]];
+      if (a.z() > b.z()) std::swap(a, b);
+      if (b.z() < z_lo || a.z() > z_hi) continue;
+      const Vec3 edge = b - a;
+      const double t0 = edge.z() > 0.0 ? std::max(0.0, (z_lo - a.z()) / edge.z()) : 0.0;
+      const double t1 = edge.z() > 0.0 ? std::min(1.0, (z_hi - a.z()) / edge.z()) : 1.0;
+      front = std::max({front, a.x() + t0 * edge.x(), a.x() + t1 * edge.x()});
+    }
+  }
+  if (front == -1e300)
+    throw InputError("the hull does not reach the ice: check its draught and the water level");
+  return -front;
+}
+
+Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Lattice& lattice,
+                 double dt, double hull_x)
+    : dt_(dt),
+      V_(s.V),
+      start_x_(hull_x),
+      material_(make_material(s.ice, lattice.dx, s.numerics.horizon_ratio)),
+      law_(make_bond_law(material_.s0)),
+      sheet_(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material_),
+      halo_(comm, sheet_.partition, sheet_.layout),
+      contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
+      hull_box_(bounding_box(hull)),
+      impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
+      no_impulse_(impulse_) {
+  drift_.dt = static_cast<float>(dt);
+  drift_.gravity = s.water.buoyancy_and_gravity ? static_cast<float>(gravity) : 0.0f;
+  drift_.lift = s.water.buoyancy_and_gravity ? static_cast<float>(gravity * s.water.rho / s.ice.rho) : 0.0f;
+  drift_.inverse_dx = static_cast<float>(1.0 / lattice.dx);
+}
+
+void Stepper::set_hull_box() {
+  for (int c = 0; c < 3; ++c) {
+    // Rounded outwards: a float must not hide a particle that the exact test would find.
+    const double shift = c == 0 ? hull_x() : 0.0, slack = 1e-5 * (1.0 + std::abs(shift));
+    drift_.box_lo[c] = static_cast<float>(hull_box_.lower[c] + shift - slack);
+    drift_.box_hi[c] = static_cast<float>(hull_box_.upper[c] + shift + slack);
+  }
+}
+
+// Velocity Verlet in its half-step form: `v` lives between the positions, one force evaluation a step.
+void Stepper::step() {
+  ++steps_;
+  set_hull_box();
+  sheet_.drift(drift_);
+  contacts_ = contact_.apply(sheet_, hull_x(), impulse_);
+  halo_.exchange({sheet_.u[0].data(), sheet_.u[1].data(), sheet_.u[2].data()});
+  broken_ends_ += sheet_.dilatation(law_);
+  halo_.exchange({sheet_.theta.data()});
+  sheet_.force(law_, dt_);
+}
+
+ExactImpulse Stepper::take_impulse() {
+  return std::exchange(impulse_, no_impulse_);
+}
+
+}  // namespace icebow

@@ -1,0 +1,56 @@
+// The time step of one ship-ice run.
+#pragma once
+
+#include <cstdint>
+
+#include "base/communicator.h"
+#include "solver/contact.h"
+#include "solver/exact_sum.h"
+#include "solver/halo.h"
+#include "solver/scenario.h"
+#include "solver/sheet.h"
+#include "solver/stencil.h"
+
+namespace icebow {
+
+class Stepper {
+ public:
+  // The hull at the scenario's scale. `hull_x` is where its origin is at the start.
+  Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario, const Lattice& lattice,
+          double dt, double hull_x);
+
+  void step();
+
+  double dt() const { return dt_; }
+  std::int64_t steps() const { return steps_; }
+  double time() const { return steps_ * dt_; }
+  double hull_x() const { return start_x_ + V_ * time(); }
+  const IceSheet& sheet() const { return sheet_; }
+  const Material& material() const { return material_; }
+
+  // Of this rank, since the last take_impulse().
+  ExactImpulse take_impulse();
+  int contacts() const { return contacts_; }  // particles touching the hull now, this rank
+  std::int64_t broken_bond_ends() const { return broken_ends_; }  // this rank, so far: two for each bond
+
+ private:
+  void set_hull_box();
+
+  double dt_, V_, start_x_;
+  Material material_;
+  BondLaw law_;
+  IceSheet sheet_;
+  Halo halo_;
+  HullContact contact_;
+  Box hull_box_;
+  DriftSettings drift_{};
+  ExactImpulse impulse_, no_impulse_;
+  std::int64_t steps_ = 0, broken_ends_ = 0;
+  int contacts_ = 0;
+};
+
+// Where the hull's frame starts so that its foremost point within the ice's thickness is at the sheet's edge
+// x = 0.
+double first_touch_x(const QuadMesh& hull, const Lattice& lattice);
+
+}  // namespace icebow
