@@ -1,0 +1,220 @@
+#include "study/spec_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "study/spec_hints.h"
+
+namespace icebow {
+namespace {
+
+constexpr double most_particles = 2e9;
+
+struct Sections {
+  Section bow, ice, water, sheet, operation, solver;
+
+  Sections(const Json& d, double lambda, Mistakes& m)
+      : bow(d, "bow", lambda, m),
+        ice(d, "ice", lambda, m),
+        water(d, "water", lambda, m),
+        sheet(d, "sheet", lambda, m),
+        operation(d, "operation", lambda, m),
+        solver(d, "solver", lambda, m) {}
+};
+
+double lambda_of(const Json& document, Mistakes& mistakes) {
+  const auto scale = document.find("scale");
+  const Key& key = *find_key("", "scale");
+  if (scale == document.end()) return key.fallback;
+  if (scale->is_number() && scale->get<double>() >= key.lower && scale->get<double>() <= key.upper) {
+    return scale->get<double>();
+  }
+  const std::string wrong = scale->is_number() ? ", allowed " : ", must be a number, allowed ";
+  mistakes.push_back(
+      {"/scale", "is " + shown(*scale) + wrong + range_in_words(key, units_of(key.quantity).front())});
+  return key.fallback;
+}
+
+double given_or(const Section& section, const std::string& key, double fallback) {
+  return section.has(key) ? section.number(key) : fallback;
+}
+
+BowParameters read_bow(const Section& s) {
+  BowParameters bow;
+  if (s.text("family", "") == "thyssen_waas") bow.family = BowFamily::thyssen_waas;
+  bow.angles = {s.number("stem"), s.number("waterline"), s.number("buttock"), s.number("flare")};
+  bow.L = s.number("length");
+  bow.B = s.number("beam");
+  bow.T = s.number("draft");
+  bow.D = s.number("depth");
+  bow.Lf = s.number("bow_length");
+  bow.panel = given_or(s, "panel", 0.0);
+  // The default belt of a ship would reach through the bottom and the deck of a boat.
+  bow.belt_below = given_or(s, "belt_below", std::min(s.number("belt_below"), 0.5 * bow.T));
+  bow.belt_above = given_or(s, "belt_above", std::min(s.number("belt_above"), 0.5 * (bow.D - bow.T)));
+  return bow;
+}
+
+void read_ice(const Section& s, Case& c) {
+  c.ice.h = s.number("thickness");
+  c.ice.rho = s.number("density");
+  c.ice.E = s.number("elastic_modulus");
+  c.ice.nu = s.number("poisson");
+  c.ice.s0 = given_or(s, "critical_stretch", 0.0);
+  c.ice.K_I = s.has("critical_stretch") ? 0.0 : s.number("fracture_toughness");
+  c.flexural_strength = s.number("flexural_strength");
+  c.numerics.friction = s.number("friction");
+}
+
+FixedEdges fixed_edges(const std::string& text) {
+  if (text == "none") return FixedEdges::none;
+  return text == "sides_and_far" ? FixedEdges::sides_and_far : FixedEdges::sides;
+}
+
+ContactRule contact_rule(const std::string& text) {
+  if (text == "paper") return ContactRule::paper;
+  return text == "penalty" ? ContactRule::penalty : ContactRule::relocation;
+}
+
+// Lengths not given follow from the ship: see docs/study_file.md, "Defaults in terms of the ship".
+void read_operation_and_sheet(const Section& operation, const Section& sheet, Case& c) {
+  c.V = operation.number("speed");
+  c.advance = given_or(operation, "advance", 2.75 * c.bow.B);
+  c.steady_from = given_or(operation, "steady_from", 0.2 * c.advance);
+  c.sheet.length = given_or(sheet, "length", c.advance + c.bow.Lf + c.bow.B);
+  c.sheet.width = given_or(sheet, "width", 3.5 * c.bow.B);
+  c.sheet.fixed = fixed_edges(sheet.text("fixed_edges", "sides"));
+}
+
+void read_numerics(const Section& s, double thickness, Numerics& numerics) {
+  numerics.dx = s.has("spacing") ? s.number("spacing") : thickness / s.number("layers");
+  numerics.horizon_ratio = s.number("horizon_ratio");
+  numerics.dt = given_or(s, "time_step", 0.0);
+  numerics.dt_fraction = s.number("time_step_fraction");
+  numerics.surface_correction = s.boolean("surface_correction");
+  numerics.contact = contact_rule(s.text("contact", "relocation"));
+}
+
+std::string metres(double value) {
+  return brief(value) + " m";
+}
+
+// Values that are each allowed but make no sense together. NaN (a value already refused) never compares true.
+// Lengths in the messages are full scale.
+void check_ship(const Case& c, const Sections& s, Mistakes& m) {
+  if (c.bow.T >= c.bow.D) {
+    m.push_back({s.bow.pointer("draft"), "is " + metres(c.bow.T) + ", not less than the depth of " +
+                                             metres(c.bow.D) + "; a ship needs freeboard"});
+  }
+  if (c.bow.B >= c.bow.L) {
+    m.push_back({s.bow.pointer("beam"),
+                 "is " + metres(c.bow.B) + ", not less than the length of " + metres(c.bow.L)});
+  }
+  if (c.bow.Lf >= c.bow.L) {
+    m.push_back({s.bow.pointer("bow_length"),
+                 "is " + metres(c.bow.Lf) + ", not less than the length of " + metres(c.bow.L)});
+  }
+  if (c.water.buoyancy_and_gravity && c.ice.rho >= c.water.rho) {
+    m.push_back({s.ice.pointer("density"), "is " + brief(c.ice.rho) + " kg/m3, not less than the water's " +
+                                               brief(c.water.rho) + " kg/m3; such ice does not float"});
+  }
+}
+
+void check_run(const Case& c, const Sections& s, Mistakes& m) {
+  if (c.sheet.width <= c.bow.B) {
+    m.push_back({s.sheet.pointer("width"), "is " + metres(c.sheet.width) + ", not wider than the beam of " +
+                                               metres(c.bow.B) + "; 3.5 beams is usual"});
+  }
+  if (c.sheet.length <= c.advance) {
+    m.push_back({s.sheet.pointer("length"),
+                 "is " + metres(c.sheet.length) + ", but the ship advances " + metres(c.advance) +
+                     ": it would sail out of the ice; lengthen the sheet or shorten /operation/advance_m"});
+  }
+  if (c.steady_from >= c.advance) {
+    m.push_back({s.operation.pointer("steady_from"),
+                 "is " + metres(c.steady_from) + ", not less than the advance of " + metres(c.advance) +
+                     ": no record is left for the metrics"});
+  }
+  const double layers = c.ice.h / c.numerics.dx;
+  if (layers < 1.0 - 1e-9) {
+    m.push_back({s.solver.pointer("spacing"), "is " + metres(c.numerics.dx) + ", coarser than the ice of " +
+                                                  metres(c.ice.h) + ": less than one layer of particles"});
+  }
+  const double particles = c.sheet.length * c.sheet.width * c.ice.h / std::pow(c.numerics.dx, 3);
+  if (particles > most_particles) {
+    m.push_back({s.solver.pointer(s.solver.has("spacing") ? "spacing" : "layers"),
+                 "makes about " + brief(particles) + " particles, at most " + brief(most_particles) +
+                     "; coarsen the lattice or shrink the sheet"});
+  }
+}
+
+}  // namespace
+
+Case parse_case(const Json& document, Mistakes& mistakes) {
+  Case c;
+  c.lambda = lambda_of(document, mistakes);
+  const Sections s(document, c.lambda, mistakes);
+  c.bow = read_bow(s.bow);
+  read_ice(s.ice, c);
+  c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
+  read_operation_and_sheet(s.operation, s.sheet, c);
+  read_numerics(s.solver, c.ice.h, c.numerics);
+  const Section output(document, "output", c.lambda, mistakes);
+  c.snapshots = output.integer("snapshots");
+  c.pictures = output.integer("pictures");
+  check_ship(c, s, mistakes);
+  check_run(c, s, mistakes);
+  return c;
+}
+
+Case read_case(const Json& document, const std::string& name) {
+  Mistakes mistakes;
+  if (!document.is_object())
+    throw InputError(name, {{"", "is " + type_name(document) + ", must be an object"}});
+  const Case c = parse_case(document, mistakes);
+  if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
+  return c;
+}
+
+Scenario model_scenario(const Case& full) {
+  const double lambda = full.lambda;
+  const auto model = [&](double value, double exponent) { return to_model_scale(value, lambda, exponent); };
+  Scenario s;
+  s.ice = full.ice;
+  s.ice.h = model(full.ice.h, scaling::length);
+  s.ice.E = model(full.ice.E, scaling::stress);
+  s.ice.K_I = model(full.ice.K_I, scaling::toughness);
+  s.water = full.water;
+  s.sheet = full.sheet;
+  s.sheet.length = model(full.sheet.length, scaling::length);
+  s.sheet.width = model(full.sheet.width, scaling::length);
+  s.numerics = full.numerics;
+  s.numerics.dx = model(full.numerics.dx, scaling::length);
+  s.numerics.dt = model(full.numerics.dt, scaling::time);
+  s.V = model(full.V, scaling::speed);
+  s.advance = model(full.advance, scaling::length);
+  s.steady_from = model(full.steady_from, scaling::length);
+  return s;
+}
+
+LindqvistInputs lindqvist_inputs(const Case& full) {
+  LindqvistInputs in;
+  in.L = full.bow.L;
+  in.B = full.bow.B;
+  in.T = full.bow.T;
+  in.stem = full.bow.angles.stem;
+  in.waterline = full.bow.angles.waterline;
+  in.h = full.ice.h;
+  in.V = full.V;
+  in.sigma_f = full.flexural_strength;
+  in.E = full.ice.E;
+  in.nu = full.ice.nu;
+  in.mu = full.numerics.friction;
+  in.rho_w = full.water.rho;
+  in.rho_i = full.ice.rho;
+  in.g = gravity;
+  return in;
+}
+
+}  // namespace icebow

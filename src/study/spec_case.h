@@ -1,0 +1,12 @@
+// The part of a study file that describes one ship in one ice.
+#pragma once
+
+#include "study/spec_section.h"
+#include "study/study_spec.h"
+
+namespace icebow {
+
+// Notes every mistake; what it returns is to be used only where it added none.
+Case parse_case(const Json& document, Mistakes& mistakes);
+
+}  // namespace icebow

@@ -1,0 +1,212 @@
+#include "study/spec_keys.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/units.h"
+#include "study/spec_hints.h"
+
+namespace icebow {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double any = 9007199254740992.0;  // 2^53: every integer below has a double
+
+// clang-format off
+// Ranges are wide enough for a full-scale ship and for its model in the tank.
+const std::vector<Key> table = {
+  // section, name, quantity, lowest, highest, required, default, default in words, meaning, choices
+  {"", "icebow_study", Quantity::integer, 1, 1, true, none, "", "version of the format", {}},
+  {"", "name", Quantity::text, 0, 0, false, none, "the file's name", "title of the study", {}},
+  {"", "purpose", Quantity::text, 0, 0, false, none, "empty", "what the study is to find out; printed in the report", {}},
+  {"", "scale", Quantity::number, 1, 1000, false, 25, "25", "lambda: full scale / simulated model; 1 simulates at full scale", {}},
+  {"", "include_baseline", Quantity::boolean, 0, 0, false, 1, "true", "evaluate the file's own design, named \"baseline\", first", {}},
+
+  {"bow", "family", Quantity::choice, 0, 0, true, none, "", "which form the bow has", {"straight_parallel_buttocks", "thyssen_waas"}},
+  {"bow", "length", Quantity::length, 0.5, 600, true, none, "", "length between perpendiculars L", {}},
+  {"bow", "beam", Quantity::length, 0.05, 120, true, none, "", "moulded beam B", {}},
+  {"bow", "draft", Quantity::length, 0.02, 50, true, none, "", "draught T to the design waterline", {}},
+  {"bow", "depth", Quantity::length, 0.03, 80, true, none, "", "moulded depth D, keel to deck", {}},
+  {"bow", "bow_length", Quantity::length, 0.01, 300, true, none, "", "length of the bow along the design waterline, stem to full beam", {}},
+  {"bow", "stem", Quantity::angle, 5, 85, true, none, "", "stem angle, from the horizontal, at the centre plane on the design waterline", {}},
+  {"bow", "waterline", Quantity::angle, 5, 90, true, none, "", "waterline entrance angle, from the centre plane, at the stem", {}},
+  {"bow", "buttock", Quantity::angle, 5, 85, true, none, "", "buttock angle, from the horizontal, at B/4 on the design waterline", {}},
+  {"bow", "flare", Quantity::angle, 1, 89, true, none, "", "flare angle, from the vertical, at B/4 on the design waterline", {}},
+  {"bow", "panel", Quantity::length, 0.0005, 20, false, none, "B/60", "wanted edge length of a hull panel in the ice belt", {}},
+  {"bow", "belt_below", Quantity::length, 0.001, 30, false, 1.5, "1.5 m full scale", "the ice belt reaches this far below the design waterline", {}},
+  {"bow", "belt_above", Quantity::length, 0.001, 30, false, 1.0, "1.0 m full scale", "the ice belt reaches this far above the design waterline", {}},
+
+  {"ice", "thickness", Quantity::length, 0.001, 10, true, none, "", "thickness h of the level ice", {}},
+  {"ice", "density", Quantity::density, 500, 1000, false, 900, "900 kg/m3", "density of the ice", {}},
+  {"ice", "elastic_modulus", Quantity::stress, 1e4, 2e10, false, 1.3e9, "1.3 GPa full scale", "Young's modulus E", {}},
+  {"ice", "poisson", Quantity::number, 0.05, 0.45, false, 0.33, "0.33", "Poisson's ratio", {}},
+  {"ice", "flexural_strength", Quantity::stress, 100, 1e8, false, 5e5, "500 kPa full scale", "flexural strength, used by the formulas only", {}},
+  {"ice", "fracture_toughness", Quantity::toughness, 10, 1e9, false, 7.5e6, "7.5 MPa sqrt(m) full scale", "toughness from which the simulation takes its critical stretch; instead of critical_stretch", {}},
+  {"ice", "critical_stretch", Quantity::number, 1e-6, 0.5, false, none, "from the toughness", "stretch at which a bond breaks; instead of fracture_toughness", {}},
+  {"ice", "friction", Quantity::number, 0, 1, false, 0.1, "0.1", "Coulomb friction coefficient between hull and ice", {}},
+
+  {"water", "density", Quantity::density, 900, 1100, false, 1025, "1025 kg/m3", "density of the water", {}},
+  {"water", "buoyancy_and_gravity", Quantity::boolean, 0, 0, false, 1, "true", "the sheet floats; false: it is held by its fixed edges alone, as in the paper", {}},
+
+  {"sheet", "length", Quantity::length, 0.05, 20000, false, none, "advance + bow_length + B", "extent of the sheet along the course", {}},
+  {"sheet", "width", Quantity::length, 0.05, 20000, false, none, "3.5 B", "extent of the sheet across the course, centred on the ship", {}},
+  {"sheet", "fixed_edges", Quantity::choice, 0, 0, false, none, "sides", "edges held fast: none, port and starboard, or the edge ahead as well", {"none", "sides", "sides_and_far"}},
+
+  {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
+  {"operation", "advance", Quantity::length, 0.001, 20000, false, none, "2.75 B", "distance sailed from first touch to the end of the run", {}},
+  {"operation", "steady_from", Quantity::length, 0, 20000, false, none, "0.2 x advance", "metrics use the record from this advance on", {}},
+
+  {"solver", "spacing", Quantity::length, 0.0001, 5, false, none, "thickness / layers", "lattice spacing; instead of layers", {}},
+  {"solver", "layers", Quantity::integer, 1, 50, false, 3, "3", "particles through the thickness; instead of spacing", {}},
+  {"solver", "horizon_ratio", Quantity::number, 1.5, 4, false, 3, "3", "horizon / spacing", {}},
+  {"solver", "time_step", Quantity::time, 1e-8, 1, false, none, "time_step_fraction of the limit", "time step; instead of time_step_fraction", {}},
+  {"solver", "time_step_fraction", Quantity::number, 0.01, 1, false, 0.8, "0.8", "time step as a fraction of the stability limit; instead of time_step", {}},
+  {"solver", "surface_correction", Quantity::boolean, 0, 0, false, 1, "true", "correct the stiffness of particles near a surface", {}},
+  {"solver", "contact", Quantity::choice, 0, 0, false, none, "relocation", "contact rule between hull and ice", {"relocation", "paper", "penalty"}},
+
+  {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},
+  {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
+
+  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "latin_hypercube", "optimise"}},
+  {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube: number of designs", {}},
+  {"method", "seed", Quantity::integer, 0, any, false, 1, "1", "latin_hypercube, optimise: seed of the random numbers", {}},
+  {"method", "algorithm", Quantity::text, 0, 0, false, none, "sbplx", "optimise: which optimiser", {}},
+  {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many designs", {}},
+  {"method", "tolerance", Quantity::number, 0, 0.5, false, 0.01, "0.01", "optimise: stop when the parameters move less than this part of their range", {}},
+
+  {"ranking", "by", Quantity::choice, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better", {"mean_load", "mean_load_per_beam", "lindqvist_breaking"}},
+
+  {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
+  {"execution", "designs_at_once", Quantity::integer, 0, 4096, false, 0, "0", "designs that run side by side; 0 = as many as the ranks or cores allow", {}},
+  {"execution", "time_limit", Quantity::time, 0, 1e8, false, 0, "0", "wall time after which a design is given up; 0 = none", {}},
+};
+// clang-format on
+
+}  // namespace
+
+const std::vector<Unit>& units_of(Quantity quantity) {
+  static const std::vector<Unit> length = {{"_m", "m", 1.0}, {"_cm", "cm", 0.01}, {"_mm", "mm", 0.001}},
+                                 speed = {{"_m_s", "m/s", 1.0}, {"_kn", "kn", metres_per_second_per_knot}},
+                                 time = {{"_s", "s", 1.0}},
+                                 angle = {{"_deg", "deg", radians(1.0)}, {"_rad", "rad", 1.0}},
+                                 stress = {{"_Pa", "Pa", 1.0},
+                                           {"_kPa", "kPa", 1e3},
+                                           {"_MPa", "MPa", 1e6},
+                                           {"_GPa", "GPa", 1e9}},
+                                 toughness = {{"_Pa_sqrt_m", "Pa sqrt(m)", 1.0},
+                                              {"_kPa_sqrt_m", "kPa sqrt(m)", 1e3},
+                                              {"_MPa_sqrt_m", "MPa sqrt(m)", 1e6}},
+                                 density = {{"_kg_m3", "kg/m3", 1.0}}, plain = {{"", "", 1.0}};
+  switch (quantity) {
+    case Quantity::length:
+      return length;
+    case Quantity::speed:
+      return speed;
+    case Quantity::time:
+      return time;
+    case Quantity::angle:
+      return angle;
+    case Quantity::stress:
+      return stress;
+    case Quantity::toughness:
+      return toughness;
+    case Quantity::density:
+      return density;
+    default:
+      return plain;
+  }
+}
+
+double scale_exponent(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return scaling::length;
+    case Quantity::speed:
+      return scaling::speed;
+    case Quantity::time:
+      return scaling::time;
+    case Quantity::stress:
+      return scaling::stress;
+    case Quantity::toughness:
+      return scaling::toughness;
+    default:
+      return 0.0;
+  }
+}
+
+const std::vector<Key>& study_keys() {
+  return table;
+}
+
+std::vector<const Key*> keys_of_section(const std::string& section) {
+  std::vector<const Key*> keys;
+  for (const Key& key : table) {
+    if (key.section == section) keys.push_back(&key);
+  }
+  return keys;
+}
+
+const Key* find_key(const std::string& section, const std::string& name) {
+  for (const Key& key : table) {
+    if (key.section == section && key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+bool is_numeric(Quantity quantity) {
+  return quantity != Quantity::boolean && quantity != Quantity::choice && quantity != Quantity::text;
+}
+
+std::string spelled(const Key& key) {
+  return std::string(key.name) + units_of(key.quantity).front().suffix;
+}
+
+Spelling find_spelling(const std::string& section, const std::string& spelling) {
+  for (const Key* key : keys_of_section(section)) {
+    for (const Unit& unit : units_of(key->quantity)) {
+      if (spelling == std::string(key->name) + unit.suffix) return {key, &unit};
+    }
+  }
+  return {};
+}
+
+Spelling find_pointer(const std::string& pointer) {
+  if (pointer.empty() || pointer[0] != '/') return {};
+  const std::size_t slash = pointer.find('/', 1);
+  if (slash == std::string::npos) return find_spelling("", pointer.substr(1));
+  return find_spelling(pointer.substr(1, slash - 1), pointer.substr(slash + 1));
+}
+
+double lower_in(const Key& key, const Unit& unit) {
+  return key.lower * (units_of(key.quantity).front().to_si / unit.to_si);
+}
+
+double upper_in(const Key& key, const Unit& unit) {
+  return key.upper * (units_of(key.quantity).front().to_si / unit.to_si);
+}
+
+std::string range_in_words(const Key& key, const Unit& unit) {
+  if (key.lower == key.upper) return brief(key.lower);
+  const std::string symbol = unit.symbol;
+  return brief(lower_in(key, unit)) + " to " + brief(upper_in(key, unit)) +
+         (symbol.empty() ? "" : " " + symbol);
+}
+
+bool section_has_scale(const std::string& section) {
+  static const std::vector<std::string> with = {"bow", "ice", "sheet", "operation", "solver"};
+  return std::find(with.begin(), with.end(), section) != with.end();
+}
+
+const std::vector<std::string>& design_sections() {
+  static const std::vector<std::string> sections = {"bow", "ice", "water", "sheet", "operation", "solver"};
+  return sections;
+}
+
+const std::vector<std::string>& structural_keys() {
+  static const std::vector<std::string> keys = {"bow",       "ice",    "water",   "sheet",
+                                                "operation", "solver", "output",  "evaluators",
+                                                "designs",   "method", "ranking", "execution"};
+  return keys;
+}
+
+}  // namespace icebow
