@@ -100,11 +100,11 @@ int main(int argc, char** argv) {
     std::printf("{\"ranks\": %d, \"particles\": %lld, \"bonds\": %lld, \"ms_per_step\": %.4f, \"ns_per_bond\": %.4f, "
                 "\"bytes_per_particle\": %.1f, \"kernel\": \"%s\", \"dt_limit_s\": %.4g}\n",
                 comm.size(), static_cast<long long>(lattice.particles()), static_cast<long long>(bonds), 1e3 * best, ns,
-                per_particle, sheet.kernel.name, limit);
+                per_particle, sheet.kernel().name, limit);
   } else {
     std::printf("%d rank(s), %lld directed bonds, %s: %.3f ms/step = %.3f ns/bond (drift %.2f, dilatation %.2f, force "
                 "%.2f ms), %.0f B/particle, dt limit %.3g s\n",
-                comm.size(), static_cast<long long>(bonds), sheet.kernel.name, 1e3 * best, ns, 1e3 * part[0],
+                comm.size(), static_cast<long long>(bonds), sheet.kernel().name, 1e3 * best, ns, 1e3 * part[0],
                 1e3 * part[1], 1e3 * part[2], per_particle, limit);
   }
 }

@@ -59,12 +59,12 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       partition(p),
       layout(l, p),
       stencil(make_stencil(l.nz, l.dx, material.delta)),
-      kernel(kernels()),
       u{Field(layout.size), Field(layout.size), Field(layout.size)},
       v{Field(layout.size), Field(layout.size), Field(layout.size)},
       residual{Field(layout.size), Field(layout.size), Field(layout.size)},
       theta(layout.size),
       bits(l, layout, stencil),
+      kernel_(&kernels()),
       fixed_(s.sheet.fixed),
       tables_(l, layout, stencil, material, {s.numerics.surface_correction, s.ice.rho}),
       touched_(std::size_t(layout.columns) * l.nz * layout.blocks),
@@ -106,7 +106,7 @@ void IceSheet::drift(const DriftSettings& settings) {
     if (held(0, layout.j0 + jl)) continue;
     for (int k = 0; k < layout.nz; ++k) {
       const std::size_t r = layout.row(jl, k);
-      kernel.drift({{u[0].data() + r, u[1].data() + r, u[2].data() + r},
+      kernel_->drift({{u[0].data() + r, u[1].data() + r, u[2].data() + r},
                     {v[0].data() + r, v[1].data() + r, v[2].data() + r},
                     {residual[0].data() + r, residual[1].data() + r, residual[2].data() + r},
                     reference_x_.data(),
@@ -123,7 +123,7 @@ void IceSheet::drift(const DriftSettings& settings) {
 std::int64_t IceSheet::dilatation(const BondLaw& law) {
   std::int64_t broken = 0;
   for (int jl = 0; jl < layout.columns; ++jl) {
-    for (int k = 0; k < layout.nz; ++k) broken += kernel.dilatation(fields(jl, k), tables_.row(jl, k), law);
+    for (int k = 0; k < layout.nz; ++k) broken += kernel_->dilatation(fields(jl, k), tables_.row(jl, k), law);
   }
   return broken;
 }
@@ -132,7 +132,7 @@ void IceSheet::force(const BondLaw& law, double dt) {
   for (int jl = 0; jl < layout.columns; ++jl) {
     if (held(0, layout.j0 + jl)) continue;
     for (int k = 0; k < layout.nz; ++k) {
-      kernel.force(fields(jl, k), tables_.row(jl, k), law, static_cast<float>(dt));
+      kernel_->force(fields(jl, k), tables_.row(jl, k), law, static_cast<float>(dt));
     }
   }
 }

@@ -55,10 +55,12 @@ class IceSheet {
   const Partition partition;
   const Layout layout;
   const Stencil stencil;
-  const Kernels& kernel;
 
   Field u[3], v[3], residual[3], theta;
   BondBits bits;
+
+  const Kernels& kernel() const { return *kernel_; }
+  void use(const Kernels& kernels) { kernel_ = &kernels; }  // another vector width than the widest, for tests
 
   // Passes in the order of a step. `settings.box_*` is where the hull may be.
   void drift(const DriftSettings& settings);    // v += dt g; u += dt v; finds blocks near the hull
@@ -76,6 +78,7 @@ class IceSheet {
  private:
   RowFields fields(int jl, int k);
 
+  const Kernels* kernel_;
   FixedEdges fixed_;
   BondTables tables_;
   std::vector<std::uint8_t> touched_, near_hull_;

@@ -1,0 +1,81 @@
+// A free block of ice without a ship: set displacements, ask for dilatation and acceleration.
+#pragma once
+
+#include <functional>
+
+#include "base/communicator.h"
+#include "base/vec.h"
+#include "solver/halo.h"
+#include "solver/sheet.h"
+
+namespace icebow {
+
+inline Scenario block_scenario(int nx, int ny, int nz, double dx = 0.013) {
+  Scenario s;
+  s.ice = {nz * dx, 826.6, 52e6, 0.33, 0.0052, 0.0};
+  s.sheet = {nx * dx, ny * dx, FixedEdges::none};
+  s.numerics.dx = dx;
+  s.V = 0.4;
+  return s;
+}
+
+class IceBlock {
+ public:
+  explicit IceBlock(const Scenario& s, const Communicator& comm = Communicator::serial())
+      : lattice(make_lattice(s)),
+        material(make_material(s.ice, s.numerics.dx, s.numerics.horizon_ratio)),
+        law(make_bond_law(material.s0)),
+        comm_(comm),
+        sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material),
+        halo_(comm_, sheet.partition, sheet.layout) {}
+
+  using Function = std::function<Vec3(const Vec3&)>;
+
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (int jl = 0; jl < sheet.layout.columns; ++jl)
+      for (int k = 0; k < lattice.nz; ++k)
+        for (int l = 0; l < sheet.layout.blocks * block && sheet.layout.i0 + l < lattice.nx; ++l)
+          visit(sheet.layout.i0 + l, sheet.layout.j0 + jl, k, sheet.layout.row(jl, k) + l);
+  }
+  Vec3 position(int i, int j, int k) const { return {lattice.x(i), lattice.y(j), lattice.z(k)}; }
+
+  void displace(const Function& u) {
+    for_each([&](int i, int j, int k, std::size_t p) {
+      const Vec3 value = u(position(i, j, k));
+      for (int c = 0; c < 3; ++c) sheet.u[c][p] = static_cast<float>(value[c]);
+    });
+  }
+
+  // Dilatation, then v = acceleration (from rest, in a time step of one second).
+  std::int64_t accelerate() {
+    for (Field& v : sheet.v)
+      for (std::size_t p = 0; p < sheet.layout.size; ++p) v[p] = 0.0f;
+    halo_.exchange({sheet.u[0].data(), sheet.u[1].data(), sheet.u[2].data()});
+    const std::int64_t broken = sheet.dilatation(law);
+    halo_.exchange({sheet.theta.data()});
+    sheet.force(law, 1.0);
+    return broken;
+  }
+  Vec3 acceleration(std::size_t p) const { return {sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]}; }
+  double largest_acceleration() const {
+    double largest = 0.0;
+    for_each([&](int, int, int, std::size_t p) { largest = std::max(largest, acceleration(p).norm()); });
+    return largest;
+  }
+
+  const Lattice lattice;
+  const Material material;
+  BondLaw law;
+
+ private:
+  Communicator comm_;
+
+ public:
+  IceSheet sheet;
+
+ private:
+  Halo halo_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,142 @@
+// Whole runs on a sheet of two thousand particles: under mpirun each is compared with the same run on one
+// rank.
+#include "solver/simulation.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "../main.h"
+#include "base/errors.h"
+#include "tiny_hull.h"
+
+using namespace icebow;
+
+namespace {
+
+Scenario tiny() {
+  Scenario s;
+  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  s.sheet = {1.0, 0.56, FixedEdges::sides};
+  s.numerics.dx = 0.02;
+  s.numerics.friction = 0.1;
+  s.V = 0.5;
+  s.advance = 0.12;
+  s.steady_from = 0.03;
+  return s;
+}
+
+QuadMesh tiny_hull() {
+  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+}
+
+}  // namespace
+
+TEST_CASE("the hull breaks the ice and feels it") {
+  const RunResult r = simulate(test_world(), tiny_hull(), tiny(), {});
+  REQUIRE(r.status == RunStatus::ok);
+  CHECK(r.history.rows.size() > 20);
+  CHECK(r.metrics.resistance.mean > 1.0);
+  CHECK(r.metrics.resistance.max >= r.metrics.resistance.q95);
+  CHECK(r.metrics.vertical.mean > 0.0);  // the ice lifts the bow
+  CHECK(r.metrics.broken_bonds > 100);
+  CHECK(r.metrics.broken_bonds < r.metrics.bonds);
+  CHECK(r.history.rows.back().broken_bonds == r.metrics.broken_bonds);
+  CHECK(r.history.rows.back().advance == Approx(0.12).epsilon(0.03));
+}
+
+TEST_CASE("any number of ranks gives the same record, bit for bit, and the same damage") {
+  const RunResult many = simulate(test_world(), tiny_hull(), tiny(), {});
+  const RunResult one = simulate(Communicator::serial(), tiny_hull(), tiny(), {});
+  REQUIRE(many.history.rows.size() == one.history.rows.size());
+  for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
+    const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
+    CHECK(std::memcmp(&a.F, &b.F, sizeof a.F) == 0);
+    CHECK(std::memcmp(&a.M, &b.M, sizeof a.M) == 0);
+    CHECK(a.broken_bonds == b.broken_bonds);
+    CHECK(a.contacts == b.contacts);
+    CHECK(a.kinetic_energy == b.kinetic_energy);
+  }
+  CHECK(many.metrics.broken_volume == one.metrics.broken_volume);
+  CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
+  CHECK(many.metrics.floes == one.metrics.floes);
+}
+
+TEST_CASE("without friction the first touch pushes along the normal of the stem plane") {
+  Scenario s = tiny();
+  s.numerics.friction = 0.0;
+  s.advance = 0.06;
+  s.steady_from = 0.0;
+  const double stem = 0.45;
+  const RunResult r = simulate(test_world(), tiny_hull(), s, {});
+  double Fx = 0.0, Fz = 0.0;
+  for (const HistoryRow& row : r.history.rows) {
+    if (row.broken_bonds > 0 && Fx < 0.0) break;
+    Fx += row.F[0];
+    Fz += row.F[2];
+  }
+  REQUIRE(Fx < 0.0);
+  CHECK(Fz / -Fx == Approx(1.0 / std::tan(stem)).epsilon(0.02));
+}
+
+TEST_CASE("a symmetric ship in symmetric ice drifts to neither side at first touch") {
+  Scenario s = tiny();
+  s.advance = 0.045;
+  s.steady_from = 0.0;
+  const RunResult r = simulate(test_world(), tiny_hull(), s, {});
+  double Fx = 0.0, Fy = 0.0;
+  for (const HistoryRow& row : r.history.rows) {
+    Fx += std::abs(row.F[0]);
+    Fy += row.F[1];
+  }
+  CHECK(std::abs(Fy) < 0.02 * Fx);
+}
+
+TEST_CASE("gravity and buoyancy can be switched off") {
+  Scenario s = tiny();
+  s.water.buoyancy_and_gravity = false;
+  s.advance = 0.05;
+  const RunResult dry = simulate(test_world(), tiny_hull(), s, {});
+  s.water.buoyancy_and_gravity = true;
+  const RunResult wet = simulate(test_world(), tiny_hull(), s, {});
+  REQUIRE(dry.status == RunStatus::ok);
+  CHECK(dry.metrics.resistance.mean != wet.metrics.resistance.mean);
+}
+
+TEST_CASE("the other contact rules run and measure a load of the same order") {
+  Scenario s = tiny();
+  s.numerics.friction = 0.0;
+  const double reference = simulate(test_world(), tiny_hull(), s, {}).metrics.resistance.mean;
+  for (ContactRule rule : {ContactRule::penalty, ContactRule::paper}) {
+    s.numerics.contact = rule;
+    const RunResult r = simulate(test_world(), tiny_hull(), s, {});
+    REQUIRE(r.status == RunStatus::ok);
+    CHECK(r.metrics.resistance.mean > 0.3 * reference);
+    CHECK(r.metrics.resistance.mean < 3.0 * reference);
+  }
+}
+
+TEST_CASE("a run can be stopped from outside") {
+  RunOptions options;
+  options.stop = [] { return true; };
+  Scenario s = tiny();
+  s.sheet.length = 4.0;
+  s.advance = 3.5;
+  const RunResult r = simulate(test_world(), tiny_hull(), s, options);
+  CHECK(r.status == RunStatus::interrupted);
+}
+
+TEST_CASE("what cannot be run is refused in words") {
+  Scenario s = tiny();
+  s.numerics.dt = 1.0;
+  CHECK_THROWS_WITH(simulate(test_world(), tiny_hull(), s, {}), Catch::Contains("stability limit"));
+  s = tiny();
+  s.sheet.width = 0.1;
+  CHECK_THROWS_WITH(simulate(test_world(), tiny_hull(), s, {}), Catch::Contains("too narrow"));
+  s = tiny();
+  s.advance = 2.0;
+  CHECK_THROWS_WITH(simulate(test_world(), tiny_hull(), s, {}), Catch::Contains("no ice ahead"));
+  s = tiny();
+  s.numerics.dx = 0.2;
+  CHECK_THROWS_AS(simulate(test_world(), tiny_hull(), s, {}), InputError);
+}
