@@ -1,8 +1,9 @@
 // A bow from its angles: parameters, feasibility and the closed quad hull.
 //
-// Angles in radians. Stem angle: profile against the horizontal at the stem; waterline angle: entrance against the
-// centre plane at the stem; buttock angle: against the horizontal at y = B/4; flare angle: from the vertical at
-// y = B/4. The first two belong to P0 = (y = 0, design waterline), the last two to P1 = (y = B/4, design waterline).
+// Angles in radians. Stem angle: profile against the horizontal at the stem; waterline angle: entrance
+// against the centre plane at the stem; buttock angle: against the horizontal at y = B/4; flare angle: from
+// the vertical at y = B/4. The first two belong to P0 = (y = 0, design waterline), the last two to P1 = (y =
+// B/4, design waterline).
 #pragma once
 
 #include <string>
@@ -24,12 +25,12 @@ struct BowAngles {
 struct BowParameters {
   BowFamily family = BowFamily::straight_parallel_buttocks;
   BowAngles angles;
-  double L = 0.0;         //!< length between perpendiculars [m]
-  double B = 0.0;         //!< beam [m]
-  double T = 0.0;         //!< draught [m]
-  double D = 0.0;         //!< depth [m]
-  double Lf = 0.0;        //!< length of the bow along the design waterline [m]
-  double panel = 0.0;     //!< wanted edge length of a quad in the ice belt [m]; 0 = B/60
+  double L = 0.0;           //!< length between perpendiculars [m]
+  double B = 0.0;           //!< beam [m]
+  double T = 0.0;           //!< draught [m]
+  double D = 0.0;           //!< depth [m]
+  double Lf = 0.0;          //!< length of the bow along the design waterline [m]
+  double panel = 0.0;       //!< wanted edge length of a quad in the ice belt [m]; 0 = B/60
   double belt_below = 1.5;  //!< ice belt reaches this far below the design waterline [m]
   double belt_above = 1.0;  //!< and this far above it [m]
 };

@@ -1,5 +1,5 @@
-// The lines plan of a hull, cut from its mesh, as one SVG drawing: profile with buttocks, half-breadth plan with
-// waterlines, body plan with stations, the four angles marked at the points where they are measured.
+// The lines plan of a hull, cut from its mesh, as one SVG drawing: profile with buttocks, half-breadth plan
+// with waterlines, body plan with stations, the four angles marked at the points where they are measured.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace icebow {
 
-// A self-contained <svg> element (no external references, colours by CSS currentColor and variables so that it reads
-// on light and dark pages). Lengths in the drawing are full scale.
+// A self-contained <svg> element (no external references, colours by CSS currentColor and variables so that
+// it reads on light and dark pages). Lengths in the drawing are full scale.
 std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std::string& title);
 
 }  // namespace icebow

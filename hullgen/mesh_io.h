@@ -7,11 +7,12 @@
 
 namespace icebow {
 
-// The format follows the ending: .obj, .stl, .ply or .vtp. Throws InputError for another ending, RuntimeError where the
-// file cannot be written.
+// The format follows the ending: .obj, .stl, .ply or .vtp. Throws InputError for another ending, RuntimeError
+// where the file cannot be written.
 void write_mesh(const std::string& path, const QuadMesh& mesh);
 
-// For tests and round trips: .obj and .ply as written by write_mesh.
+// Triangles and quads of a Wavefront OBJ; groups named as patches give the patch. Throws InputError with file
+// and line.
 QuadMesh read_obj(const std::string& path);
 
 }  // namespace icebow

@@ -1,0 +1,206 @@
+// The hull has the topology of a tube with two ends: the bow patch, a grid of columns (j, along y, starboard
+// to port) and rows (i, keel to deck), is the front end; its boundary ring runs aft as bottom, port side,
+// deck and starboard side to the transom. Stations aft of the bow thin the ring out, halving columns and rows
+// as panels grow.
+#include "hullgen/bow_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hullgen/spacing.h"
+
+namespace icebow {
+namespace {
+
+constexpr double growth = 0.15;           // of the wanted edge length per length away from the ice belt
+constexpr double coarsest = 3.0;          // times the panel size, on the bow
+constexpr double coarsest_aft = 8.0;      // times the panel size, towards the transom
+constexpr int coarsest_level = 3;         // the ring is halved at most this often
+constexpr double bilge_resolution = 4.0;  // cells per bilge radius
+
+struct Cell {
+  int j, i;
+};
+
+class HullBuilder {
+ public:
+  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel);
+  QuadMesh build();
+
+ private:
+  int ny() const { return static_cast<int>(grid_.eta.size()) - 1; }  // columns of one side
+  int nz() const { return static_cast<int>(grid_.z.size()) - 1; }
+  int front(Cell c) const { return (c.j + ny()) * (nz() + 1) + c.i; }
+  Vec3 front_point(Cell c) const;
+  bool kept(Cell c, int level) const { return kept_column(c.j, level) && kept_row(c.i, level); }
+  bool kept_column(int j, int level) const { return std::abs(j) == ny() || j % (1 << level) == 0; }
+  bool kept_row(int i, int level) const {
+    const int bilge_level = std::min(level, 1);  // so that the bilge stays round
+    return i == 0 || i == bilge_rows_ || i == nz() || i % (1 << (i < bilge_rows_ ? bilge_level : level)) == 0;
+  }
+  Patch patch(Cell from, Cell to) const;
+
+  void add(Patch patch, int a, int b, int c, int d);
+  void add_bow();
+  void add_tube();
+  void join(const std::vector<int>& fore, const std::vector<int>& aft);
+  void add_transom();
+
+  const BowSurface& bow_;
+  const BowGrid& grid_;
+  double L_, panel_;
+  int bilge_rows_ = 0;        // rows up to here take part in the rounding of the bilge
+  int level_ = 0;             // of thinning, at the current station
+  std::vector<Cell> ring_;    // counter-clockwise seen from ahead
+  std::vector<int> station_;  // point of each ring place at the current station, -1 where thinned out
+  QuadMesh mesh_;
+};
+
+HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel)
+    : bow_(bow), grid_(grid), L_(L), panel_(panel) {
+  while (grid_.z[bilge_rows_] < bow.bilge - bow.T) ++bilge_rows_;
+  for (int j = -ny(); j < ny(); ++j) ring_.push_back({j, 0});
+  for (int i = 0; i < nz(); ++i) ring_.push_back({ny(), i});
+  for (int j = ny(); j > -ny(); --j) ring_.push_back({j, nz()});
+  for (int i = nz(); i > 0; --i) ring_.push_back({-ny(), i});
+}
+
+Vec3 HullBuilder::front_point(Cell c) const {
+  Vec3 p = bow_.point(grid_.eta[std::abs(c.j)], grid_.z[c.i]);
+  if (c.j < 0) p.y() = -p.y();
+  return p;
+}
+
+Patch HullBuilder::patch(Cell from, Cell to) const {
+  if (from.i == 0 && to.i == 0) return Patch::bottom;
+  return from.i == nz() && to.i == nz() ? Patch::deck : Patch::side;
+}
+
+void HullBuilder::add(Patch patch, int a, int b, int c, int d) {
+  mesh_.quads.push_back({a, b, c, d});
+  mesh_.patch.push_back(patch);
+}
+
+void HullBuilder::add_bow() {
+  for (int j = -ny(); j <= ny(); ++j)
+    for (int i = 0; i <= nz(); ++i) mesh_.points.push_back(front_point({j, i}));
+  for (int j = -ny(); j < ny(); ++j)
+    for (int i = 0; i < nz(); ++i)
+      add(Patch::bow, front({j, i}), front({j + 1, i}), front({j + 1, i + 1}), front({j, i + 1}));
+}
+
+// Panels between two stations; where the aft one has lost a point, three triangles around it.
+void HullBuilder::join(const std::vector<int>& fore, const std::vector<int>& aft) {
+  const int n = static_cast<int>(ring_.size());
+  for (int a = 0; a < n;) {
+    int b = a + 1, middle = -1;
+    for (; aft[b % n] < 0; ++b)
+      if (fore[b] >= 0) middle = fore[b];
+    const int fa = fore[a], fb = fore[b % n], ga = aft[a], gb = aft[b % n];
+    const Patch side = patch(ring_[a], ring_[b % n]);
+    if (middle < 0) {
+      add(side, fa, ga, gb, fb);
+    } else {
+      add(side, fa, ga, middle, middle);
+      add(side, ga, gb, middle, middle);
+      add(side, middle, gb, fb, fb);
+    }
+    a = b;
+  }
+}
+
+void HullBuilder::add_tube() {
+  for (const Cell& c : ring_) station_.push_back(front(c));
+  // Stations by their share of the way from the bow's edge to the transom, measured along the side at the
+  // waterline.
+  const double length = L_ - bow_.Lf;
+  const auto wanted = [&](double, double run) {
+    return std::min(panel_ + 0.25 * run, coarsest_aft * panel_);
+  };
+  const std::vector<double> shares =
+      graded([&](double share) { return Vec3(share * length, 0.0, 0.0); }, 0.0, 1.0, wanted, 4);
+  for (std::size_t k = 1; k < shares.size(); ++k) {
+    const double cell = (shares[k] - shares[k - 1]) * length;
+    if (level_ < coarsest_level && cell > panel_ * (2 << level_)) ++level_;
+    std::vector<int> next;
+    for (const Cell& c : ring_) {
+      next.push_back(kept(c, level_) ? static_cast<int>(mesh_.points.size()) : -1);
+      if (next.back() < 0) continue;
+      Vec3 p = front_point(c);
+      p.x() += shares[k] * (-L_ - p.x());
+      mesh_.points.push_back(p);
+    }
+    join(station_, next);
+    station_ = next;
+  }
+}
+
+void HullBuilder::add_transom() {
+  std::vector<int> columns, rows;
+  for (int j = -ny(); j <= ny(); ++j)
+    if (kept_column(j, level_)) columns.push_back(j);
+  for (int i = 0; i <= nz(); ++i)
+    if (kept_row(i, level_)) rows.push_back(i);
+  std::vector<int> id(static_cast<std::size_t>(2 * ny() + 1) * (nz() + 1), -1);  // by front()
+  for (std::size_t r = 0; r < ring_.size(); ++r) id[front(ring_[r])] = station_[r];
+  for (int j : columns)
+    for (int i : rows) {
+      int& point = id[front({j, i})];
+      if (point >= 0) continue;
+      point = static_cast<int>(mesh_.points.size());
+      const Vec3 p = front_point({j, i});
+      mesh_.points.push_back(Vec3(-L_, p.y(), p.z()));
+    }
+  for (std::size_t c = 1; c < columns.size(); ++c)
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+      const int j0 = columns[c - 1], j1 = columns[c], i0 = rows[r - 1], i1 = rows[r];
+      add(Patch::transom, id[front({j0, i0})], id[front({j0, i1})], id[front({j1, i1})], id[front({j1, i0})]);
+    }
+}
+
+QuadMesh HullBuilder::build() {
+  add_bow();
+  add_tube();
+  add_transom();
+  return std::move(mesh_);
+}
+
+void append(std::vector<double>& lines, const std::vector<double>& more) {
+  lines.insert(lines.end(), more.begin() + 1, more.end());
+}
+
+}  // namespace
+
+double panel_size(const BowParameters& bow) {
+  return bow.panel > 0.0 ? bow.panel : bow.B / 60.0;
+}
+
+BowGrid bow_grid(const BowSurface& bow, double panel) {
+  // Rows follow the buttock at the side, which also takes in the bilge; columns follow the design waterline.
+  const Curve buttock = [&](double z) { return bow.point(bow.half_beam(), z); };
+  const Curve waterline = [&](double eta) { return bow.point(eta, 0.0); };
+  const CellLength belt = [&](double, double) { return panel; };
+  const CellLength outside = [&](double z, double length) {
+    const double away = std::min(panel + growth * length, coarsest * panel);
+    return z < bow.bilge - bow.T ? std::min(away, bow.bilge / bilge_resolution) : away;
+  };
+  BowGrid grid;
+  grid.z = graded(buttock, -bow.belt_below, -bow.T, outside, 4);
+  std::reverse(grid.z.begin(), grid.z.end());
+  append(grid.z, graded(buttock, -bow.belt_below, 0.0, belt, 2));
+  append(grid.z, graded(buttock, 0.0, bow.belt_above, belt, 2));
+  append(grid.z, graded(buttock, bow.belt_above, bow.D - bow.T, outside, 3));
+  grid.eta = graded(waterline, 0.0, bow.yq, belt, 4);
+  append(grid.eta, graded(waterline, bow.yq, bow.half_beam(), belt, 4));
+  return grid;
+}
+
+QuadMesh bow_mesh(const BowParameters& bow) {
+  const BowSurface surface = bow_surface(bow);
+  const double panel = panel_size(bow);
+  const BowGrid grid = bow_grid(surface, panel);
+  return HullBuilder(surface, grid, bow.L, panel).build();
+}
+
+}  // namespace icebow

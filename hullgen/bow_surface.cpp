@@ -1,0 +1,116 @@
+#include "hullgen/bow_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+
+namespace icebow {
+namespace {
+
+constexpr double deck_edge_angle = radians(60.0);  // buttocks against the horizontal at the deck edge
+constexpr double fairing_power = 4.0;              // n: 4 leaves the waterline near B/4 alone
+
+// Distance covered by a slope of 1 that is kept for `hold`, falls smoothly (3u^2 - 2u^3) to 0 over `fade` and
+// stays 0.
+double faded(double d, double hold, double fade) {
+  if (d <= hold) return d;
+  const double u = std::min((d - hold) / fade, 1.0);
+  return hold + fade * (u - u * u * u + 0.5 * u * u * u * u);
+}
+
+// 0 at the upper end of the bilge, 1 at the keel.
+double bilge_depth(const BowSurface& b, double z) {
+  return std::clamp((b.bilge - b.T - z) / b.bilge, 0.0, 1.0);
+}
+
+}  // namespace
+
+const FamilyForm& family_form(BowFamily family) {
+  static const FamilyForm straight{"straight stem with parallel buttocks", true, true, true};
+  static const FamilyForm thyssen_waas{"simplified Thyssen-Waas", false, false, false};
+  return family == BowFamily::straight_parallel_buttocks ? straight : thyssen_waas;
+}
+
+double cot(double angle) {
+  return std::cos(angle) / std::sin(angle);
+}
+double acot(double cotangent) {
+  return std::atan2(1.0, cotangent);
+}
+
+BowSurface bow_surface(const BowParameters& bow) {
+  const FamilyForm& form = family_form(bow.family);
+  BowSurface b;
+  b.yq = bow.B / 4.0;
+  b.Lf = bow.Lf;
+  b.T = bow.T;
+  b.D = bow.D;
+  b.c_stem = cot(bow.angles.stem);
+  b.c_buttock = cot(bow.angles.buttock);
+  b.c_deck = std::min(cot(deck_edge_angle), b.c_buttock);
+  b.c0 = cot(bow.angles.waterline);
+  b.c1 = cot(bow.angles.flare) * b.c_buttock;  // (1) tan(waterline) = tan(flare) tan(buttock)
+  b.s1 = b.yq * 0.5 * (b.c0 + b.c1);
+  // Length left over by a waterline that is straight aft of B/4; a faired shoulder spends all of it.
+  const double spare = (b.Lf - b.s1) / b.yq - b.c1;
+  b.K = form.faired_shoulder ? std::max(spare, 0.0) : 0.0;
+  b.e = 2.0 * (spare - b.K);
+  b.bilge = std::min(bow.T / 4.0, bow.B / 8.0);
+  b.belt_below = bow.belt_below;
+  b.belt_above = bow.belt_above;
+  b.deck_fade = 0.4 * (bow.D - bow.T - bow.belt_above);
+  b.fan_fade = form.straight_stem ? std::numeric_limits<double>::infinity()
+                                  : std::min(0.25 * bow.T, bow.T - b.bilge - bow.belt_below);
+  return b;
+}
+
+// (3), (4): a parabola up to B/4, then a parabola and a quarter of a superellipse; w'(0) = c0, w'(yq) = c1,
+// w(B/2) = Lf.
+double BowSurface::waterline(double eta) const {
+  const double x = eta / yq, t = x - 1.0;
+  if (t <= 0.0) return yq * (c0 * x + 0.5 * (c1 - c0) * x * x);
+  const double fairing = 1.0 - std::sqrt(std::max(1.0 - std::pow(t, fairing_power), 0.0));
+  return s1 + yq * (c1 * t + 0.5 * e * t * t + K * fairing);
+}
+
+// (5): from the stem's angle to the buttock's at B/4, parallel from there on.
+double BowSurface::buttock_cotangent(double eta) const {
+  const double x = std::min(eta / yq, 1.0);
+  return c_stem + (c_buttock - c_stem) * x * (2.0 - x);
+}
+
+// (6): straight through the ice belt and down to the keel; above the belt it fades out in favour of the
+// deck's angle.
+double BowSurface::run(double z) const {
+  return z <= 0.0 ? -z : -faded(z, belt_above, deck_fade);
+}
+double BowSurface::deck_run(double z) const {
+  return z <= 0.0 ? 0.0 : faded(z, belt_above, deck_fade) - z;
+}
+double BowSurface::fan_run(double z) const {
+  return z < 0.0 && std::isfinite(fan_fade) ? faded(-z, belt_below, fan_fade) : run(z);
+}
+
+// (7): a quarter ellipse makes bow and flat bottom meet tangentially, a quarter circle the side and the
+// bottom.
+double BowSurface::forefoot(double z) const {
+  const double tau = bilge_depth(*this, z);
+  return bilge * (1.0 - std::sqrt(1.0 - tau * tau));
+}
+double BowSurface::half_breadth(double z) const {
+  return half_beam() - forefoot(z);
+}
+
+// (8) S = w + cot(buttock) F + (c - cot(buttock)) Phi + c_deck G + b
+double BowSurface::s(double eta, double z) const {
+  return waterline(eta) + c_buttock * run(z) + (buttock_cotangent(eta) - c_buttock) * fan_run(z) +
+         c_deck * deck_run(z) + forefoot(z);
+}
+
+Vec3 BowSurface::point(double eta, double z) const {
+  return Vec3(-s(eta, z), eta * half_breadth(z) / half_beam(), z);
+}
+
+}  // namespace icebow

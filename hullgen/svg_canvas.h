@@ -1,0 +1,47 @@
+// An SVG drawing, element by element, with labels that keep off each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace icebow {
+
+struct Pixel {
+  double x = 0.0, y = 0.0;  // y down
+};
+
+enum class Anchor { start, middle, end };
+
+class SvgCanvas {
+ public:
+  // `style` is the text of the <style> element; `title` its accessible name.
+  SvgCanvas(double width, double height, const std::string& style_class, const std::string& style,
+            const std::string& title);
+
+  void begin_group(const std::string& style_class);
+  void end_group();
+  // Points closer to the line through their neighbours than a tenth of a pixel are left out.
+  void polyline(const std::vector<Pixel>& points, const std::string& style_class);
+  void line(Pixel a, Pixel b, const std::string& style_class);
+  void dot(Pixel centre, double radius, const std::string& style_class);
+  // Circular arc from angle a to angle b [rad], counter-clockwise as seen, 0 along +x.
+  void arc(Pixel centre, double radius, double a, double b, const std::string& style_class);
+  void text(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class);
+  // Text at the first of at + shift (at itself first) that covers no earlier label; left out if there is
+  // none.
+  bool label(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class,
+             const std::vector<Pixel>& shifts = {});
+
+  std::string svg() const;
+
+ private:
+  struct Rectangle {
+    double x0, y0, x1, y1;
+  };
+  std::string out_;
+  std::vector<Rectangle> labels_;
+};
+
+std::string xml_escaped(const std::string& words);
+
+}  // namespace icebow
