@@ -1,0 +1,53 @@
+// The command line of the program: which commands and options there are, and what a user gave.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/communicator.h"
+
+namespace icebow {
+
+struct Option {
+  std::string name;   // "--out"
+  std::string value;  // what to call its value in the help; empty = a switch
+  std::string meaning;
+  bool required = false;
+  bool repeats = false;
+};
+
+class Arguments {
+ public:
+  std::string positional;  // the study file or directory
+  std::map<std::string, std::vector<std::string>> options;
+  std::string command_line;  // as typed
+
+  bool has(const std::string& option) const { return options.count(option) > 0; }
+  std::string value(const std::string& option) const;  // the last one given; empty where none
+  std::vector<std::string> values(const std::string& option) const;
+};
+
+struct Command {
+  std::string name;
+  std::string positional;  // "STUDY" or "DIR"
+  std::string summary;     // one line
+  std::string details;     // for `icebow help NAME`
+  std::vector<Option> options;
+  // Collective commands are entered by every rank; of the others only the root takes part.
+  bool collective = false;
+  int (*run)(const Communicator&, const Arguments&) = nullptr;  // returns the exit code
+};
+
+const std::vector<Command>& commands();
+// Throws InputError naming the nearest known command.
+const Command& find_command(const std::string& name);
+
+// `words` are those behind the command's name. Throws InputError: unknown option (with the nearest known
+// one), a value or a required option that is missing, too many words.
+Arguments parse_arguments(const Command& command, const std::vector<std::string>& words);
+
+std::string help_text();
+std::string help_text(const Command& command);
+
+}  // namespace icebow

@@ -1,0 +1,109 @@
+#include <cmath>
+#include <iostream>
+
+#include "base/errors.h"
+#include "base/units.h"
+#include "cli/commands.h"
+#include "cli/study_choice.h"
+#include "cli/text_table.h"
+#include "solver/simulation.h"
+#include "study/spec_hints.h"
+#include "study/spec_method.h"
+
+namespace icebow {
+namespace {
+
+constexpr std::size_t most_listed = 30;
+
+const char* method_name(MethodType type) {
+  switch (type) {
+    case MethodType::grid:
+      return "grid";
+    case MethodType::latin_hypercube:
+      return "latin_hypercube";
+    case MethodType::optimise:
+      return "optimise";
+    default:
+      return "list";
+  }
+}
+
+std::string range_of(const Variable& v) {
+  if (v.values.empty())
+    return brief(v.lower) + " to " + brief(v.upper) +
+           (v.levels > 0 ? " in " + std::to_string(v.levels) + " levels" : "");
+  std::vector<std::string> words;
+  for (const double value : v.values) words.push_back(brief(value));
+  return listed(words);
+}
+
+std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
+  std::string text = "method: " + std::string(method_name(spec.method.type));
+  if (spec.method.type == MethodType::optimise) {
+    const Algorithm* algorithm = find_algorithm(spec.method.algorithm);
+    text += " by " + spec.method.algorithm + " (" + algorithm->meaning + "), up to " +
+            std::to_string(plan.proposals) + " more designs";
+  }
+  text += ", ranked by " + spec.rank_by + "\n";
+  for (const Variable& v : spec.method.variables) text += "  " + v.pointer + ": " + range_of(v) + "\n";
+  return text;
+}
+
+// A design as far as it is known without a mesh.
+std::string verdict_on(const PlannedDesign& planned) {
+  if (!planned.mistake.empty()) return "cannot be evaluated: " + planned.mistake;
+  const BowFeasibility f = check_feasibility(read_case(planned.design.document, planned.design.name).bow);
+  return f.feasible ? "" : "infeasible: " + f.reason;
+}
+
+std::string design_lines(const StudyPlan& plan) {
+  std::string text = "designs: " + std::to_string(plan.designs.size()) + "\n";
+  for (std::size_t k = 0; k < plan.designs.size() && k < most_listed; ++k) {
+    const PlannedDesign& planned = plan.designs[k];
+    text += "  " + std::to_string(k + 1) + "  " + planned.design.name;
+    for (const auto& [pointer, value] : planned.design.parameters)
+      text += "  " + pointer + " " + brief(value);
+    const std::string verdict = verdict_on(planned);
+    text += (verdict.empty() ? "" : "  (" + verdict + ")") + "\n";
+  }
+  if (plan.designs.size() > most_listed)
+    text += "  ... and " + std::to_string(plan.designs.size() - most_listed) + " more\n";
+  for (const std::string& note : plan.notes) text += "  note: " + note + "\n";
+  return text;
+}
+
+std::string operation_line(const Case& c) {
+  return "operation: " + brief(c.V / metres_per_second_per_knot) + " kn in " + brief(c.ice.h) +
+         " m of ice, advance " + brief(c.advance) + " m, metrics from " + brief(c.steady_from) +
+         " m on (full scale; simulated at 1:" + brief(c.lambda) + ")\n";
+}
+
+// The size of one run, of the file's own design; a bow that cannot be made, or a run that cannot, is said in
+// words.
+std::string size_line(const Case& c) {
+  const Hull hull = make_hull(c.bow);
+  if (hull.status != HullStatus::ok) return "the file's own design has no hull: " + hull.reason + "\n";
+  const Scenario scenario = model_scenario(c);
+  const RunSize size = run_size(scaled(hull.mesh, 1.0 / c.lambda), scenario);
+  const double particles = 1.0 * size.nx * size.ny * size.nz;
+  return "one run: " + std::to_string(size.nx) + " x " + std::to_string(size.ny) + " x " +
+         std::to_string(size.nz) + " = " + fixed(particles, 0) + " particles, " + std::to_string(size.steps) +
+         " steps of " + brief(size.dt) + " s (stability limit " + brief(size.dt_limit) + " s)\n";
+}
+
+}  // namespace
+
+int run_check(const Communicator&, const Arguments& arguments) {
+  const StudySpec spec = load_study(arguments);
+  const StudyPlan plan = plan_study(spec);
+  std::string text = spec.file + ": no mistakes\n" + spec.name + "\n";
+  if (!spec.purpose.empty()) text += "purpose: " + spec.purpose + "\n";
+  text += design_lines(plan) + method_lines(spec, plan) + operation_line(spec.baseline);
+  text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
+          (spec.use_peridynamics ? " peridynamics" : "") + "\n";
+  if (spec.use_peridynamics) text += size_line(spec.baseline);
+  std::cout << text;
+  return exit_code::ok;
+}
+
+}  // namespace icebow

@@ -1,0 +1,94 @@
+#include <cmath>
+#include <iostream>
+
+#include "base/errors.h"
+#include "base/units.h"
+#include "cli/commands.h"
+#include "cli/study_choice.h"
+#include "cli/text_table.h"
+#include "hullgen/lines_plan.h"
+#include "hullgen/mesh_io.h"
+#include "study/result_json.h"
+
+namespace icebow {
+namespace {
+
+bool has_ending(const std::string& path, const std::string& ending) {
+  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// Before the hull is made: a wrong ending is known at once.
+void check_ending(const std::string& path) {
+  for (const char* ending : {".obj", ".stl", ".ply", ".vtp", ".svg"}) {
+    if (has_ending(path, ending)) return;
+  }
+  throw InputError("--out " + path + ": the file must end in .obj, .stl, .ply, .vtp or .svg");
+}
+
+void write_hull(const std::string& path, const Hull& hull, const ChosenDesign& chosen) {
+  if (has_ending(path, ".svg")) {
+    write_text_file(path, lines_plan_svg(hull, chosen.description.bow, chosen.design.name));
+  } else {
+    write_mesh(path, hull.mesh);
+  }
+}
+
+std::string angle_rows(const BowAngles& asked, const Hull& hull) {
+  const bool measured = hull.status != HullStatus::infeasible;
+  std::vector<std::vector<std::string>> rows = {{"angle, deg", "requested", "measured"}};
+  const auto add = [&](const char* name, double wanted, double found) {
+    rows.push_back({name, fixed(degrees(wanted), 3), measured ? fixed(degrees(found), 3) : "-"});
+  };
+  add("stem", asked.stem, hull.measured.stem);
+  add("waterline", asked.waterline, hull.measured.waterline);
+  add("buttock", asked.buttock, hull.measured.buttock);
+  add("flare", asked.flare, hull.measured.flare);
+  if (measured) {
+    rows.push_back({"waterline at B/4", "", fixed(degrees(hull.waterline_at_quarter_beam), 3)});
+    rows.push_back({"flare at the stem", "", fixed(degrees(hull.flare_at_stem), 3)});
+  }
+  return text_table(rows);
+}
+
+std::string margin_rows(const BowFeasibility& feasibility) {
+  std::string text;
+  for (const Margin& m : feasibility.margins) {
+    const char* verdict = m.value >= 0.0 ? "  ok        " : m.required ? "  VIOLATED  " : "  (below 0) ";
+    text += m.name + verdict + fixed(m.value, 3) + "  " + m.sentence + "\n";
+  }
+  return text;
+}
+
+std::string mesh_row(const Json& mesh) {
+  if (mesh.is_null()) return "";
+  const auto yes = [&](const char* key) { return mesh.at(key).get<bool>() ? "yes" : "no"; };
+  return "mesh: " + mesh.at("quads").dump() + " quads, " + mesh.at("points").dump() + " points, closed " +
+         yes("closed") + ", outward " + yes("outward") + ", self-intersecting " + yes("self_intersecting") +
+         ", volume " +
+         (mesh.at("volume_m3").is_number() ? fixed(mesh.at("volume_m3").get<double>(), 1) : "-") + " m3\n";
+}
+
+}  // namespace
+
+int run_hull(const Communicator&, const Arguments& arguments) {
+  const std::string path = arguments.value("--out");
+  if (arguments.has("--out")) check_ending(path);
+  const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
+  const BowParameters& bow = chosen.description.bow;
+  const Hull hull = make_hull(bow);
+  Json json = hull_json(hull, bow);
+  json["design"] = chosen.design.name;
+  if (hull.status == HullStatus::ok && !path.empty()) write_hull(path, hull, chosen);
+  if (arguments.has("--json")) {
+    std::cout << json.dump(2) << "\n";
+  } else {
+    std::cout << chosen.design.name << "\n\n"
+              << angle_rows(bow.angles, hull) << "\n"
+              << margin_rows(hull.feasibility) << mesh_row(json.at("mesh"));
+  }
+  if (hull.status == HullStatus::ok) return exit_code::ok;
+  std::cerr << chosen.design.name << ": no hull: " << json.at("reason").get<std::string>() << "\n";
+  return exit_code::failure;
+}
+
+}  // namespace icebow

@@ -1,0 +1,83 @@
+#include <filesystem>
+#include <iostream>
+
+#include "base/errors.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/ranking_text.h"
+#include "cli/stop_signal.h"
+#include "cli/study_choice.h"
+#include "reports/report.h"
+#include "study/run_study.h"
+
+namespace icebow {
+namespace {
+
+int jobs(const Arguments& arguments) {
+  if (!arguments.has("--jobs")) return 0;
+  const std::string text = arguments.value("--jobs");
+  const bool digits =
+      !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || std::stoi(text) < 1)
+    throw InputError("--jobs " + text + ": must be a whole number, allowed 1 to 9999");
+  return std::stoi(text);
+}
+
+RunSettings settings_for(const Arguments& arguments) {
+  RunSettings settings;
+  settings.directory = arguments.value("--out");
+  settings.command = arguments.command_line;
+  settings.jobs = jobs(arguments);
+  settings.retry_failed = arguments.has("--retry-failed");
+  settings.stop = StopSignal::raised;
+  return settings;
+}
+
+// The results are safe by now: what cannot be drawn is an error, but not one that hides the ranking.
+int write_reports(const std::string& directory) {
+  try {
+    write_table_reports(directory);
+    write_html_report(directory, (std::filesystem::path(directory) / "report.html").string());
+    return exit_code::ok;
+  } catch (const std::exception& error) {
+    std::cerr << "icebow run: no report: " << error.what() << "\n";
+    return exit_code::failure;
+  }
+}
+
+int code_of(const StudyOutcome& outcome, int reports) {
+  if (reports != exit_code::ok) return reports;
+  return outcome.failed > 0 ? exit_code::some_designs_failed : exit_code::ok;
+}
+
+int conclude(const StudyOutcome& outcome, const Arguments& arguments) {
+  const std::string directory = arguments.value("--out");
+  for (const std::string& note : outcome.notes) std::cerr << "note: " << note << "\n";
+  const int reports = write_reports(directory);
+  if (outcome.interrupted) {
+    std::cerr << "interrupted; the same command goes on from here:\n  " << arguments.command_line << "\n";
+    return exit_code::interrupted;
+  }
+  const Ranking ranking = read_ranking(directory);
+  std::cout << (arguments.has("--json") ? to_json(ranking).dump(2) + "\n" : ranking_text(ranking));
+  std::cerr << outcome.ok << " ok, " << outcome.infeasible << " infeasible, " << outcome.failed << " failed";
+  if (outcome.recalled > 0) std::cerr << ", " << outcome.recalled << " of them stored before";
+  std::cerr << "; " << (std::filesystem::path(directory) / "report.html").string() << "\n";
+  return code_of(outcome, reports);
+}
+
+}  // namespace
+
+int run_run(const Communicator& comm, const Arguments& arguments) {
+  const StudySpec spec = load_study(comm, arguments);
+  const RunSettings settings = settings_for(arguments);
+  const StopSignal signals;
+  StudyOutcome outcome;
+  {
+    ProgressDisplay display;
+    outcome = run_study(comm, spec, settings, display);
+  }
+  return comm.is_root() ? conclude(outcome, arguments) : exit_code::ok;
+}
+
+}  // namespace icebow

@@ -1,0 +1,81 @@
+#include <filesystem>
+#include <iostream>
+
+#include "base/errors.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/stop_signal.h"
+#include "cli/study_choice.h"
+#include "cli/text_table.h"
+#include "study/evaluate.h"
+
+namespace icebow {
+namespace {
+
+constexpr int usual_snapshots = 10;
+
+// One run is looked at: it has snapshots, and is simulated whatever the study evaluates.
+Design to_simulate(const ChosenDesign& chosen) {
+  Design design = chosen.design;
+  if (chosen.description.snapshots == 0) design.document["output"]["snapshots"] = usual_snapshots;
+  design.document["evaluators"] = {"lindqvist", "peridynamics"};
+  return design;
+}
+
+EvaluateOptions options_for(const Arguments& arguments, const std::string& design, ProgressDisplay& display) {
+  EvaluateOptions options;
+  options.directory = arguments.value("--out");
+  options.on_progress = [&display, design](const Progress& p) { display.on_progress(design, p); };
+  options.stop = StopSignal::raised;
+  return options;
+}
+
+std::string kilonewtons(const Json& loads, const char* key) {
+  const auto value = loads.find(key);
+  return value != loads.end() && value->is_number() ? fixed(value->get<double>() / 1e3, 1) : "-";
+}
+
+std::string for_people(const Evaluation& e, const std::string& directory) {
+  std::string text = e.name + ": " + to_string(e.status) + ", results in " + directory + "\n";
+  const Json::json_pointer at("/metrics/full_scale");
+  if (!e.result.contains(at)) return text;
+  const Json& loads = e.result.at(at);
+  return text + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
+         kilonewtons(loads, "mean_load_ci95_N") + " kN (95 %), maximum " + kilonewtons(loads, "max_load_N") +
+         " kN\n";
+}
+
+int report(const Evaluation& e, const Arguments& arguments) {
+  if (e.status == EvaluationStatus::running) {
+    std::cerr << "icebow simulate: interrupted; the same command starts the run again\n";
+    return exit_code::interrupted;
+  }
+  if (arguments.has("--json")) {
+    std::cout << e.result.dump(2) << "\n";
+  } else {
+    std::cout << for_people(e, arguments.value("--out"));
+  }
+  if (e.status == EvaluationStatus::ok) return exit_code::ok;
+  std::cerr << e.name << ": " << to_string(e.status) << ": " << e.reason << "\n";
+  return exit_code::failure;
+}
+
+}  // namespace
+
+int run_simulate(const Communicator& comm, const Arguments& arguments) {
+  const StudySpec spec = load_study(comm, arguments);
+  const Design design = to_simulate(choose_design(spec, arguments));
+  const StopSignal signals;
+  Evaluation e;
+  {
+    ProgressDisplay display;
+    StudyPlan plan;
+    plan.designs.resize(1);
+    display.on_planned(plan);
+    if (comm.is_root()) display.on_started(design);
+    e = evaluate(comm, design, options_for(arguments, design.name, display));
+  }
+  return comm.is_root() ? report(e, arguments) : exit_code::ok;
+}
+
+}  // namespace icebow

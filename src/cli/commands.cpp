@@ -1,0 +1,80 @@
+#include "cli/commands.h"
+
+namespace icebow {
+namespace {
+
+const Option set = {"--set", "/KEY=VALUE", "change the study file for this call, like /bow/stem_deg=20",
+                    false, true};
+const Option design = {"--design", "NAME-or-K",
+                       "a design of the study: its name, or its number as `icebow check` lists it"};
+const Option json = {"--json", "", "print the result as JSON"};
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all = {
+      {"check",
+       "STUDY",
+       "read a study file, list every mistake or what it will do",
+       "Exits with 2 where the file has a mistake; each is listed with its JSON pointer. Nothing is written.",
+       {set},
+       false,
+       run_check},
+      {"hull",
+       "STUDY",
+       "the hull of a design: angles, feasibility, mesh, lines plan",
+       "Exits with 1 where the bow is infeasible, naming the violated inequality. Lengths are full scale.",
+       {set,
+        design,
+        {"--out", "FILE", "write the mesh (.obj, .stl, .ply, .vtp) or the lines plan (.svg)"},
+        json},
+       false,
+       run_hull},
+      {"resistance",
+       "STUDY",
+       "Lindqvist's ice resistance of a design, full scale",
+       "Exits with 1 where the formula cannot be applied to the design.",
+       {set, design, json},
+       false,
+       run_resistance},
+      {"simulate",
+       "STUDY",
+       "one ship-ice run of one design",
+       "Writes DIR/result.json, history.csv, pictures, and ice.pvd and hull.pvd for ParaView (10 snapshots "
+       "where the\n"
+       "study asks for none). Takes the file's own design where --design names no other.",
+       {set, design, {"--out", "DIR", "directory of the results", true}, json},
+       true,
+       run_simulate},
+      {"run",
+       "STUDY",
+       "the whole study: evaluate every design, rank, report",
+       "The same command again goes on where it was interrupted: what DIR holds is not computed twice. "
+       "Writes\n"
+       "DIR/report.html, ranking.csv and ranking.md at the end. Exits with 3 where some designs failed.",
+       {set,
+        {"--out", "DIR", "directory of the study", true},
+        {"--jobs", "N", "designs at once; default: as the study says"},
+        {"--retry-failed", "", "evaluate failed designs again"},
+        json},
+       true,
+       run_run},
+      {"rank",
+       "DIR",
+       "the ranking of a finished or running study",
+       "Reads DIR only.",
+       {json},
+       false,
+       run_rank},
+      {"report",
+       "DIR",
+       "the report of a finished or running study",
+       "One HTML file that opens offline.",
+       {{"--out", "FILE", "default: DIR/report.html"}},
+       false,
+       run_report},
+  };
+  return all;
+}
+
+}  // namespace icebow

@@ -1,0 +1,23 @@
+// The study, and the design of it, that a command was asked to work on.
+#pragma once
+
+#include "cli/arguments.h"
+#include "study/design_space.h"
+#include "study/study_spec.h"
+
+namespace icebow {
+
+// The study file with every --set applied. Throws InputError with all mistakes.
+StudySpec load_study(const Arguments& arguments);
+// The same, collective: the root reads the file, every rank gets the study or the error.
+StudySpec load_study(const Communicator& comm, const Arguments& arguments);
+
+struct ChosenDesign {
+  Design design;
+  Case description;  // of the design's document
+};
+// The design --design names (a name, or a number from 1 in the study's plan), the file's own where it is not
+// given. --set has the last word over the design's own values. Throws InputError.
+ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments);
+
+}  // namespace icebow

@@ -1,0 +1,275 @@
+#!/usr/bin/env python3
+"""The program from outside: what it prints where, what it writes, its exit codes.
+
+    cli_test.py PROGRAM [unittest options]
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+HERE = pathlib.Path(__file__).resolve().parent
+TINY = HERE / "tiny.json"
+FILES = HERE.parent / "study/files"
+STUDIES = HERE.parents[1] / "studies"
+INFEASIBLE = "/bow/bow_length_m=12"
+
+
+def start(*words, cwd=None, ranks=0, **options):
+    launcher = ["mpirun", "-n", str(ranks)] if ranks else []
+    environment = {**os.environ, "NO_COLOR": "1"}
+    return subprocess.Popen([*launcher, PROGRAM, *map(str, words)], cwd=cwd, env=environment, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+
+def icebow(*words, timeout=100, **options):
+    process = start(*words, **options)
+    try:
+        out, err = process.communicate(timeout=timeout)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise
+    return subprocess.CompletedProcess(words, process.returncode, out, err)
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        self.directory = pathlib.Path(tempfile.mkdtemp(prefix="icebow_cli_"))
+        self.addCleanup(shutil.rmtree, self.directory)
+
+    def expect(self, code, *words, **options):
+        result = icebow(*words, **options)
+        self.assertEqual(result.returncode, code, f"{words}\n{result.stdout}\n{result.stderr}")
+        return result
+
+
+class Usage(ProgramTest):
+    def test_help_lists_every_command(self):
+        text = self.expect(0, "--help").stdout
+        for command in ("check", "hull", "resistance", "simulate", "run", "rank", "report"):
+            self.assertIn(f"\n  {command} ", text)
+            self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
+        self.assertEqual(text, self.expect(0).stdout)
+        self.assertIn("--out DIR", self.expect(0, "run", "--help").stdout)
+
+    def test_version(self):
+        self.assertRegex(self.expect(0, "--version").stdout, r"^icebow \d+\.\d+\.\d+\n$")
+
+    def test_bad_words_are_answered_with_the_nearest_known(self):
+        for words, hint in ((["chekc", TINY], '"check"'), (["check", TINY, "--sett", "/a=1"], '"--set"'),
+                            (["hull", TINY, "--jsn"], '"--json"'), (["--versoin"], '"--version"'),
+                            (["help", "rnu"], '"run"')):
+            result = self.expect(2, *words)
+            self.assertIn(hint, result.stderr)
+            self.assertEqual(result.stdout, "")
+
+    def test_missing_and_surplus_words(self):
+        self.assertIn("STUDY is missing", self.expect(2, "check").stderr)
+        self.assertIn("--out DIR is missing", self.expect(2, "run", TINY).stderr)
+        self.assertIn("needs a value", self.expect(2, "hull", TINY, "--design").stderr)
+        self.assertIn("second", self.expect(2, "check", TINY, TINY).stderr)
+        self.assertIn("takes no value", self.expect(2, "hull", TINY, "--json=yes").stderr)
+        self.assertIn("twice", self.expect(2, "hull", TINY, "--out", "a.obj", "--out", "b.obj").stderr)
+        for jobs in ("0", "two", "-1"):
+            self.assertIn("--jobs", self.expect(2, "run", TINY, "--out", self.directory, "--jobs", jobs).stderr)
+
+
+class Check(ProgramTest):
+    def test_a_good_study_is_summed_up(self):
+        text = self.expect(0, "check", TINY).stdout
+        self.assertIn("designs: 2\n", text)
+        self.assertIn("2  Steep stem", text)
+        nx, ny, nz, particles = map(int, re.search(r"(\d+) x (\d+) x (\d+) = (\d+) particles", text).groups())
+        self.assertEqual((nx * ny * nz, nz), (particles, 2))
+        self.assertRegex(text, r"\d+ steps of [\d.e-]+ s")
+
+    def test_the_shipped_studies_have_no_mistakes(self):
+        for study in sorted(STUDIES.glob("*.json")):
+            with self.subTest(study.name):
+                self.assertNotIn("infeasible", self.expect(0, "check", study).stdout)
+
+    def test_every_mistake_is_listed_by_pointer(self):
+        result = self.expect(2, "check", TINY, "--set", "/bow/stem_deg=95", "--set", "/ice/frction=0.1",
+                             "--set", "/operation/speed_kn=fast")
+        for pointer in ("/bow/stem_deg: is 95, allowed 5 to 85 deg", "/ice/frction", "/operation/speed_kn"):
+            self.assertIn(pointer, result.stderr)
+        self.assertIn("3 mistakes", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+    def test_files_that_cannot_be_read(self):
+        self.assertIn("nowhere.json", self.expect(2, "check", "nowhere.json").stderr)
+        self.assertIn("line 21", self.expect(2, "check", FILES / "bad_beyond_schema/syntax_error.json").stderr)
+
+    def test_under_mpi_one_rank_speaks_and_nobody_hangs(self):
+        self.assertEqual(self.expect(0, "check", TINY, ranks=2).stdout.count("no mistakes"), 1)
+        result = self.expect(2, "check", TINY, "--set", "/bow/stem_deg=95", ranks=2)
+        self.assertEqual(result.stderr.count("allowed 5 to 85 deg"), 1)
+        self.assertEqual(self.expect(2, "check", TINY, "--jsn", ranks=2).stderr.count("unknown option"), 1)
+        result = self.expect(2, "simulate", TINY, "--out", self.directory, "--set", "/bow/stem_deg=95", ranks=2)
+        self.assertEqual(result.stderr.count("allowed 5 to 85 deg"), 1)
+
+
+class HullAndResistance(ProgramTest):
+    def test_hull_as_json(self):
+        hull = json.loads(self.expect(0, "hull", TINY, "--json").stdout)
+        self.assertEqual(hull["design"], "baseline")
+        self.assertTrue(hull["feasible"])
+        for angle, degrees in (("stem", 24.35), ("waterline", 22), ("buttock", 28), ("flare", 33)):
+            self.assertAlmostEqual(hull["requested_deg"][angle], degrees, places=9)
+            self.assertAlmostEqual(hull["measured_deg"][angle], degrees, delta=0.5)
+        self.assertAlmostEqual(hull["margins"]["g1"], 8.73, delta=0.01)
+        self.assertEqual(set(hull["margins"]), set(hull["margin_sentences"]))
+        mesh = hull["mesh"]
+        self.assertTrue(mesh["closed"] and mesh["outward"] and not mesh["self_intersecting"])
+        self.assertTrue(0.5 < mesh["volume_m3"] / (147.2 * 23 * 13.5) < 1.0)
+
+    def test_design_and_set(self):
+        for design in ("Steep stem", "2"):
+            hull = json.loads(self.expect(0, "hull", TINY, "--json", "--design", design).stdout)
+            self.assertEqual((hull["design"], round(hull["requested_deg"]["stem"], 9)), ("Steep stem", 27.0))
+        hull = json.loads(self.expect(0, "hull", TINY, "--json", "--design=2", "--set", "/bow/stem_deg=26").stdout)
+        self.assertAlmostEqual(hull["requested_deg"]["stem"], 26)
+        result = self.expect(2, "hull", TINY, "--design", "Steep sten")
+        self.assertIn('"Steep stem"', result.stderr)
+        self.expect(2, "hull", TINY, "--design", "3")
+
+    def test_hull_files(self):
+        for ending, head in ((".obj", b""), (".stl", b""), (".ply", b"ply"), (".vtp", b"<"), (".svg", b"<")):
+            path = self.directory / f"hull{ending}"
+            self.expect(0, "hull", TINY, "--out", path)
+            self.assertTrue(path.read_bytes().startswith(head) and path.stat().st_size > 1000, path)
+        self.assertIn(".obj", self.expect(2, "hull", TINY, "--out", self.directory / "hull.dxf").stderr)
+        missing = self.directory / "missing/hull.obj"
+        self.assertIn(str(missing), self.expect(1, "hull", TINY, "--out", missing).stderr)
+
+    def test_an_infeasible_bow(self):
+        path = self.directory / "no.obj"
+        result = self.expect(1, "hull", TINY, "--json", "--set", INFEASIBLE, "--out", path)
+        hull = json.loads(result.stdout)
+        self.assertFalse(hull["feasible"])
+        self.assertLess(hull["margins"]["g1"], 0)
+        self.assertIsNone(hull["mesh"])
+        self.assertTrue(hull["reason"])
+        self.assertIn(hull["reason"], result.stderr)
+        self.assertFalse(path.exists())
+        self.assertIn("VIOLATED", self.expect(1, "hull", TINY, "--set", INFEASIBLE).stdout)
+
+    def test_resistance(self):
+        text = self.expect(0, "resistance", TINY, "--json", "--set", "/ice/thickness_m=1",
+                           "--set", "/operation={\"speed_m_s\": 2.058}").stdout
+        r = json.loads(text)["lindqvist"]
+        speed = 1 + 1.4 * 2.058 / (9.81 * 1.0) ** 0.5
+        self.assertAlmostEqual(r["breaking_N"] / ((r["crushing_N"] + r["bending_N"]) * speed), 1, places=12)
+        self.assertTrue(r["valid"])
+        self.assertEqual(r["inputs"]["L_m"], 147.2)
+        self.assertAlmostEqual(r["inputs"]["stem_deg"], 24.35)
+        # formulas.json of the theory: 1.2943 m2 x strength at friction 0.10 for the published case.
+        paper = json.loads(self.expect(0, "resistance", STUDIES / "paper_conventional.json", "--json",
+                                       "--set", "/operation={\"speed_m_s\": 2.058}").stdout)["lindqvist"]
+        self.assertAlmostEqual(paper["breaking_N"] / paper["inputs"]["sigma_f_Pa"], 1.2943, delta=2e-4)
+        self.assertAlmostEqual(paper["breaking_N"] / 1.1175e6, 1, delta=2e-3)
+        self.assertIn("crushing", self.expect(0, "resistance", TINY).stdout)
+
+
+class Simulate(ProgramTest):
+    def test_one_run(self):
+        out = self.directory / "new/run"
+        result = json.loads(self.expect(0, "simulate", TINY, "--out", out, "--json").stdout)
+        self.assertEqual(result, json.loads((out / "result.json").read_text()))
+        self.assertEqual((result["design"], result["status"]), ("baseline", "ok"))
+        metrics = result["metrics"]
+        self.assertGreater(metrics["mean_load_N"], 0)
+        self.assertAlmostEqual(metrics["full_scale"]["mean_load_N"] / metrics["mean_load_N"], 25 ** 3, places=6)
+        self.assertEqual(result["simulation"]["nz"], 2)
+        for name in ("history.csv", "ice.pvd", "hull.pvd"):
+            self.assertTrue((out / name).stat().st_size > 0, name)
+        self.assertTrue(any(out.glob("ice_*.png")))
+        rows = (out / "history.csv").read_text().splitlines()
+        self.assertGreater(len(rows), 8)
+
+    def test_the_same_on_two_ranks(self):
+        one = json.loads(self.expect(0, "simulate", TINY, "--out", self.directory / "1", "--json").stdout)
+        two = json.loads(self.expect(0, "simulate", TINY, "--out", self.directory / "2", "--json", ranks=2).stdout)
+        self.assertEqual(two["provenance"]["ranks"], 2)
+        self.assertEqual(one["metrics"]["mean_load_N"], two["metrics"]["mean_load_N"])
+
+    def test_failures(self):
+        result = self.expect(1, "simulate", TINY, "--out", self.directory / "bad", "--set", INFEASIBLE, "--json")
+        self.assertEqual(json.loads(result.stdout)["status"], "infeasible")
+        blocked = self.directory / "file"
+        blocked.write_text("")
+        self.assertIn("file", self.expect(1, "simulate", TINY, "--out", blocked / "x").stderr)
+
+    def test_interrupted(self):
+        process = start("simulate", TINY, "--out", self.directory, "--set", "/solver/layers=8")
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertIn("interrupted", err)
+
+
+class Run(ProgramTest):
+    def test_a_study_from_start_to_report(self):
+        out = self.directory / "study"
+        first = self.expect(0, "run", TINY, "--out", out)
+        self.assertIn("Steep stem", first.stdout)
+        for name in ("report.html", "ranking.csv", "ranking.md", "results.sqlite", "study.json"):
+            self.assertTrue((out / name).stat().st_size > 0, name)
+        again = self.expect(0, "run", TINY, "--out", out, "--json")
+        self.assertIn("2 of them stored before", again.stderr)
+        ranking = json.loads(again.stdout)
+        self.assertEqual(ranking, json.loads(self.expect(0, "rank", out, "--json").stdout))
+        self.assertEqual([d["rank"] for d in ranking["designs"]], [1, 2])
+        self.assertLessEqual(ranking["designs"][0]["mean_load_N"], ranking["designs"][1]["mean_load_N"])
+        self.assertEqual(self.expect(0, "rank", out).stdout, first.stdout)
+        html = self.directory / "r.html"
+        self.assertEqual(self.expect(0, "report", out, "--out", html).stdout.strip(), str(html))
+        self.assertIn("Steep stem", html.read_text())
+
+    def test_infeasible_designs_are_results_and_failed_ones_exit_3(self):
+        study = json.loads(TINY.read_text())
+        study["evaluators"], study["ranking"] = ["lindqvist"], {"by": "lindqvist_breaking"}
+        study["designs"] = [{"name": "Short", "set": {"bow": {"bow_length_m": 12}}}]
+        path = self.directory / "s.json"
+        path.write_text(json.dumps(study))
+        result = self.expect(0, "run", path, "--out", self.directory / "a", "--json")
+        self.assertEqual([d["status"] for d in json.loads(result.stdout)["designs"]], ["ok", "infeasible"])
+        study.pop("evaluators")
+        study["ranking"] = {"by": "mean_load"}
+        study["designs"] = [{"name": "Unstable", "set": {"solver": {"time_step_s": 0.1}}}]
+        path.write_text(json.dumps(study))
+        result = self.expect(3, "run", path, "--out", self.directory / "b", "--json")
+        self.assertEqual([d["status"] for d in json.loads(result.stdout)["designs"]], ["ok", "failed"])
+
+    def test_interrupted_and_resumed(self):
+        out = self.directory / "study"
+        words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/solver/layers=4")
+        process = start(*words, start_new_session=True)
+        deadline = time.time() + 60
+        while time.time() < deadline and not (out / "designs/baseline/log.txt").exists() and process.poll() is None:
+            time.sleep(0.05)
+        time.sleep(0.5)
+        os.kill(process.pid, signal.SIGTERM)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertIn("same command", err)
+        self.expect(0, *words)
+
+    def test_no_study(self):
+        for command in ("rank", "report"):
+            self.assertIn(str(self.directory), self.expect(2, command, self.directory).stderr)
+        blocked = self.directory / "file"
+        blocked.write_text("")
+        self.assertIn(str(blocked), self.expect(1, "run", TINY, "--out", blocked).stderr)
+
+
+unittest.main()
