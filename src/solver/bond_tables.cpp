@@ -62,6 +62,7 @@ BondTables::BondTables(const Lattice& lattice, const Layout& layout, const Stenc
       g.xi[0] = static_cast<float>(o.di * lattice.dx);
       g.xi[1] = static_cast<float>(o.dj * lattice.dx);
       g.xi[2] = static_cast<float>(o.dk * lattice.dx);
+      for (int c = 0; c < 3; ++c) g.two_xi[c] = 2.0f * g.xi[c];
       g.inverse_L2 = static_cast<float>(1.0 / (o.length * o.length));
       slots_[k].push_back(g);
     }

@@ -1,6 +1,7 @@
 #include "solver/kernel.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.h"
@@ -31,9 +32,8 @@ namespace {
 
 // Polynomial through the function's values at the Chebyshev points of [lower, upper]: near the best one of
 // its degree.
-template <class Function>
-void fit(Function f, double lower, double upper, float (&coefficients)[law_degree + 1]) {
-  constexpr int n = law_degree + 1;
+template <int n, class Function>
+void fit(Function f, double lower, double upper, float (&coefficients)[n]) {
   Eigen::Matrix<double, n, n> powers;
   Eigen::Matrix<double, n, 1> values;
   for (int i = 0; i < n; ++i) {
@@ -45,18 +45,28 @@ void fit(Function f, double lower, double upper, float (&coefficients)[law_degre
   for (int p = 0; p < n; ++p) coefficients[p] = static_cast<float>(solution(p));
 }
 
+template <int degree>
+LawFits<degree> fits(double lower, double upper) {
+  LawFits<degree> law;
+  const auto root = [](double e) { return std::sqrt(1.0 + e); };
+  fit([&](double e) { return 1.0 / (1.0 + root(e)); }, lower, upper, law.G);
+  fit([&](double e) { return 1.0 / root(e); }, lower, upper, law.R);
+  fit([&](double e) { return 1.0 / (root(e) * (1.0 + root(e))); }, lower, upper, law.H);
+  return law;
+}
+
 }  // namespace
 
 BondLaw make_bond_law(double s0) {
+  constexpr double shortest = -0.19;       // 10 % shorter
+  constexpr double widest_small = 0.0125;  // where degree 2 is still good to 1e-6
   BondLaw law;
-  const double e_min = -0.19;  // 10 % shorter
-  const double e_break = s0 * (2.0 + s0);
-  const auto root = [](double e) { return std::sqrt(1.0 + e); };
-  fit([&](double e) { return 1.0 / (1.0 + root(e)); }, e_min, e_break, law.G);
-  fit([&](double e) { return 1.0 / root(e); }, e_min, e_break, law.R);
-  fit([&](double e) { return 1.0 / (root(e) * (1.0 + root(e))); }, e_min, e_break, law.H);
-  law.e_min = static_cast<float>(e_min);
+  const double e_break = s0 * (2.0 + s0), e_small = std::min(e_break, widest_small);
+  law.wide = fits<law_degree>(shortest, e_break);
+  law.small = fits<small_law_degree>(-e_small, e_small);
+  law.e_min = static_cast<float>(shortest);
   law.e_break = static_cast<float>(e_break);
+  law.e_small = static_cast<float>(e_small);
   return law;
 }
 

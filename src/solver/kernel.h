@@ -8,7 +8,9 @@
 // Law of a bond (docs/theory.md, eq. 10-12), with q = 2 xi.eta + eta.eta and e = q / L^2:
 //   stretch s = sqrt(1 + e) - 1 = e G(e),  1/|y| = R(e) / L,  s/|y| = e H(e) / L
 // G, R, H are polynomials fitted when the run starts (no root, no division, no cancellation); below e_min (a
-// shortening of 10 %) they stay at their value there.
+// shortening of 10 %) they stay at their value there. A block of particles none of whose bonds is broken,
+// missing or stretched or shortened by more than e_small takes a shorter path without bond bits, with fits of
+// degree 2.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +18,29 @@
 
 namespace icebow {
 
-constexpr int law_degree = 5;
+constexpr int law_degree = 5, small_law_degree = 2;
 
-struct BondLaw {
-  float G[law_degree + 1], R[law_degree + 1], H[law_degree + 1];  // coefficients of e^0 .. e^5
-  float e_min;                                                    // lower end of the fits
-  float e_break;                                                  // (1 + s0)^2 - 1: the bond breaks above
+// Coefficients of e^0, e^1, ...
+template <int degree>
+struct LawFits {
+  float G[degree + 1], R[degree + 1], H[degree + 1];
 };
 
-// Fits G, R, H on [e_min, e_break]; relative error below 2e-6 (tests/solver/kernel_test.cpp).
+struct BondLaw {
+  LawFits<law_degree> wide;         // on [e_min, e_break]
+  LawFits<small_law_degree> small;  // on [-e_small, e_small], e_small <= e_break
+  float e_small;
+  float e_min;    // lower end of the fits
+  float e_break;  // (1 + s0)^2 - 1: the bond breaks above
+};
+
+// Fits G, R, H; relative error below 2e-6 (tests/solver/kernel_test.cpp).
 BondLaw make_bond_law(double critical_stretch);
 
 // Constants of one slot of a layer.
 struct SlotGeometry {
   std::ptrdiff_t neighbour;  // floats from a particle to its neighbour
-  float xi[3];               //!< reference bond [m]
+  float xi[3], two_xi[3];    //!< reference bond, and twice it [m]
   float inverse_L2;          //!< 1/L^2 [1/m^2]
 };
 

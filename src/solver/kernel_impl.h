@@ -61,9 +61,10 @@ inline bool any(VecI mask) {
   return all != 0;
 }
 
-inline VecF polynomial(const float (&c)[law_degree + 1], VecF e) {
-  VecF p = splat(c[law_degree]);
-  for (int n = law_degree - 1; n >= 0; --n) p = p * e + c[n];
+template <int n>
+inline VecF polynomial(const float (&c)[n], VecF e) {
+  VecF p = splat(c[n - 1]);
+  for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
   return p;
 }
 
@@ -77,7 +78,7 @@ inline Bond bond(const float* const* u, const VecF* centre, const SlotGeometry& 
   VecF q = {};
   for (int c = 0; c < 3; ++c) {
     b.eta[c] = load(u[c] + slot.neighbour) - centre[c];
-    q += (b.eta[c] + (slot.xi[c] + slot.xi[c])) * b.eta[c];
+    q += (b.eta[c] + slot.two_xi[c]) * b.eta[c];
   }
   b.e = q * slot.inverse_L2;
   return b;
@@ -95,24 +96,41 @@ inline unsigned part_of(std::uint16_t word, int lane0) {
   return (word >> lane0) & ((1u << lanes) - 1u);
 }
 
-// theta of one block. Intact blocks skip the bits; returns false where a bond of an intact block wants to
-// break: the caller marks the block as touched and comes again.
+// The law of a block: short fits while it is intact; and where its fits are evaluated.
+template <bool intact>
+inline const auto& fits_of(const BondLaw& law) {
+  if constexpr (intact) {
+    return law.small;
+  } else {
+    return law.wide;
+  }
+}
+template <bool intact>
+inline VecF fit_argument(VecF e, const BondLaw& law) {
+  if constexpr (intact) return e;
+  return max(e, splat(law.e_min));
+}
+
+// theta of one block. Intact blocks skip the bits; returns false where a bond of an intact block leaves the
+// range of the short fits (or wants to break): the caller marks the block as touched and comes again.
 template <bool intact, bool per_lane>
 bool dilatation_block(const RowFields& f, const RowTables& t, const float* table, const BondLaw& law, int b,
                       int& broken) {
   const VecI bits = lane_bits();
+  const auto& fits = fits_of<intact>(law);
   for (int lane0 = 0; lane0 < block; lane0 += lanes) {
     const int x = b * block + lane0;
     const float* u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const VecF centre[3] = {load(u[0]), load(u[1]), load(u[2])};
     std::uint16_t* words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-    VecF theta = {}, e_max = {};
+    VecF theta = {}, e_max = {}, e_min = {};
     for (int s = 0; s < t.n_slots; ++s) {
       const Bond bd = bond(u, centre, t.slots[s]);
-      const VecF e = max(bd.e, splat(law.e_min));
-      VecF term = weight<per_lane>(table, s, dilatation_weight, lane0) * (bd.e * polynomial(law.G, e));
+      VecF term = weight<per_lane>(table, s, dilatation_weight, lane0) *
+                  (bd.e * polynomial(fits.G, fit_argument<intact>(bd.e, law)));
       if constexpr (intact) {
         e_max = max(e_max, bd.e);
+        e_min = min(e_min, bd.e);
       } else {
         const unsigned alive = part_of(words[s], lane0);
         const VecI mask = expand(alive, bits);
@@ -126,7 +144,7 @@ bool dilatation_block(const RowFields& f, const RowTables& t, const float* table
       }
       theta += term;
     }
-    if (intact && any(e_max > law.e_break)) return false;
+    if (intact && any((e_max > law.e_small) | (e_min < -law.e_small))) return false;
     store(f.theta + x, theta);
   }
   return true;
@@ -153,6 +171,7 @@ template <bool intact, bool per_lane>
 void force_block(const RowFields& f, const RowTables& t, const float* table, const BondLaw& law, float dt,
                  int b) {
   const VecI bits = lane_bits();
+  const auto& fits = fits_of<intact>(law);
   for (int lane0 = 0; lane0 < block; lane0 += lanes) {
     const int x = b * block + lane0;
     const float* u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
@@ -163,10 +182,10 @@ void force_block(const RowFields& f, const RowTables& t, const float* table, con
     for (int s = 0; s < t.n_slots; ++s) {
       const SlotGeometry& slot = t.slots[s];
       const Bond bd = bond(u, centre, slot);
-      const VecF e = max(bd.e, splat(law.e_min));
+      const VecF e = fit_argument<intact>(bd.e, law);
       const VecF theta_pair = theta + load(f.theta + x + slot.neighbour);
-      VecF scale = weight<per_lane>(table, s, pressure_weight, lane0) * theta_pair * polynomial(law.R, e) +
-                   weight<per_lane>(table, s, distortion_weight, lane0) * (bd.e * polynomial(law.H, e));
+      VecF scale = weight<per_lane>(table, s, pressure_weight, lane0) * theta_pair * polynomial(fits.R, e) +
+                   weight<per_lane>(table, s, distortion_weight, lane0) * (bd.e * polynomial(fits.H, e));
       if constexpr (!intact) scale = keep(scale, expand(part_of(words[s], lane0), bits));
       for (int c = 0; c < 3; ++c) acceleration[c] += scale * (bd.eta[c] + slot.xi[c]);
     }

@@ -10,10 +10,21 @@ using namespace icebow;
 
 namespace {
 
-double evaluate(const float (&c)[law_degree + 1], double e) {
+template <int n>
+double evaluate(const float (&c)[n], double e) {
   double p = 0.0;
-  for (int n = law_degree; n >= 0; --n) p = p * e + c[n];
+  for (int power = n - 1; power >= 0; --power) p = p * e + c[power];
   return p;
+}
+
+template <int degree>
+void check_fits(const LawFits<degree>& law, double lower, double upper) {
+  for (int n = 0; n <= 1000; ++n) {
+    const double e = lower + (upper - lower) * n / 1000.0, root = std::sqrt(1.0 + e);
+    CHECK(std::abs(evaluate(law.G, e) * (1.0 + root) - 1.0) < 2e-6);
+    CHECK(std::abs(evaluate(law.R, e) * root - 1.0) < 2e-6);
+    CHECK(std::abs(evaluate(law.H, e) * root * (1.0 + root) - 1.0) < 2e-6);
+  }
 }
 
 Vec3 rotated(const Vec3& x, double angle) {
@@ -31,12 +42,8 @@ double elastic_acceleration(const IceBlock& b) {
 TEST_CASE("the fitted bond law is the exact one to 2e-6") {
   for (double s0 : {0.0005, 0.0052, 0.04}) {
     const BondLaw law = make_bond_law(s0);
-    for (int n = 0; n <= 1000; ++n) {
-      const double e = law.e_min + (law.e_break - law.e_min) * n / 1000.0, root = std::sqrt(1.0 + e);
-      CHECK(std::abs(evaluate(law.G, e) * (1.0 + root) - 1.0) < 2e-6);
-      CHECK(std::abs(evaluate(law.R, e) * root - 1.0) < 2e-6);
-      CHECK(std::abs(evaluate(law.H, e) * root * (1.0 + root) - 1.0) < 2e-6);
-    }
+    check_fits(law.wide, law.e_min, law.e_break);
+    check_fits(law.small, -law.e_small, law.e_small);
   }
 }
 
