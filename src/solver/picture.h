@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/quad_mesh.h"
@@ -12,10 +13,10 @@ namespace icebow {
 // The sheet's particles gathered on one rank, any order. Model scale, metres; x, y, z current positions.
 struct IceCloud {
   std::vector<float> x, y, z;
-  std::vector<float> ux, uy, uz;             // displacement
-  std::vector<float> damage;                 // broken / initial bonds, 0..1
-  std::vector<std::int32_t> piece;           // 0 = standing sheet, > 0 = floe number, -1 = crushed (small pieces)
-  double dx = 0.0;                           //!< lattice spacing [m]
+  std::vector<float> ux, uy, uz;    // displacement
+  std::vector<float> damage;        // broken / initial bonds, 0..1
+  std::vector<std::int32_t> piece;  // 0 = standing sheet, > 0 = floe number, -1 = crushed (small pieces)
+  double dx = 0.0;                  //!< lattice spacing [m]
 };
 
 struct PictureFrame {
@@ -23,15 +24,21 @@ struct PictureFrame {
   int width_px = 900;                 // the height follows
 };
 
-// Ice seen from above: standing sheet, floes by number in distinguishable tints, cracks dark, crushed ice, open water; the hull's
-// waterline as an outline (hull in its own frame, its origin at (hull_x, 0)). Throws RuntimeError naming the file.
+// Ice seen from above, bow to the right, port up: the standing sheet near-white, floes by number in
+// distinguishable tints, cracks dark, crushed ice as grey specks, open water blue, the deeper under water the
+// bluer. The hull (in its own frame, its origin at (hull_x, 0), z as the ice's) is translucent within its
+// waterline section, with a second line where it meets the ice's upper side. A scale bar gives the metres.
+// Throws RuntimeError naming the file where it cannot be written, std::invalid_argument for an empty window.
 void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh& hull, double hull_x,
                     const PictureFrame& frame);
 
-// One ParaView PolyData file with the particles as vertices (appended raw) and arrays displacement, damage, piece.
+// ParaView PolyData (.vtp), raw little-endian data appended; complete or absent. Throw RuntimeError naming
+// the file. The particles as vertices with the point arrays displacement (3 floats), damage, piece (int32).
 void write_ice_vtp(const std::string& path, const IceCloud& ice);
+// The hull's quads (triangles where a corner repeats) at hull_x, with the cell array patch (uint8, see
+// Patch).
 void write_hull_vtp(const std::string& path, const QuadMesh& hull, double hull_x);
-// The collection file over (time, file name) pairs; rewritten atomically as a run goes on.
+// The collection file over (time [s], file name) pairs; replaced atomically as a run goes on.
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& steps);
 
 }  // namespace icebow
