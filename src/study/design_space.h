@@ -11,9 +11,8 @@ namespace icebow {
 
 struct PlannedDesign {
   Design design;
-  std::string key;  // see evaluation_key()
-  std::string
-      mistake;  // why the design's document is not a valid study; empty where it is (then there is a key)
+  std::string key;      // see evaluation_key()
+  std::string mistake;  // why the design's document describes no ship; empty where it does
 };
 
 // What is known before anything runs. An optimiser proposes the rest as it goes.
@@ -23,19 +22,18 @@ struct StudyPlan {
   int proposals = 0;  // optimise: how many designs the optimiser may add at most; 0 otherwise
 };
 
-// Throws InputError where a named design is no valid study, or a name is used twice or cannot name a
-// directory. A point of the method that is no valid study is planned with its mistake: it becomes a failed
-// design.
+// A point of the method that the reader rejects is planned with its mistake: it becomes a failed design.
 StudyPlan plan_study(const StudySpec& spec);
 
 // The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);
 
+// Where an optimiser starts: the file's own values, the middle of the range where the file leaves a variable
+// out.
+std::vector<double> start_point(const StudySpec& spec);
+
 // "d001" ...: the name of the n-th design of a method, counted from 1.
 std::string numbered_name(int n);
-
-// The value of a number in a document, by JSON pointer; NaN where there is none.
-double number_at(const Json& document, const std::string& pointer);
 
 // To ten significant digits: what a person reads in a table is what was run, and a value that went through
 // the optimiser's scaling comes back as the number in the study file.

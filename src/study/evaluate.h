@@ -16,12 +16,16 @@ struct EvaluateOptions {
   std::function<bool()> stop;
 };
 
-// Collective; all ranks return the same. Never throws for what a design can do wrong: that is a status. An interrupted
-// run returns status `running` and must not be stored as finished.
-// Files: result.json, history.csv, lines.svg, hull.obj, ice_*.png, and ice.pvd, hull.pvd where snapshots are asked for.
+// Collective; all ranks return the same. Never throws for what a design can do wrong: that is a status. An
+// interrupted run returns status `running` and must not be stored as finished. Files: result.json,
+// history.csv, lines.svg, hull.obj, ice_*.png, and ice.pvd, hull.pvd where snapshots are asked for.
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options);
 
-// Key of everything the result depends on: exact bits of the case (not its name) and the solver's result version.
+// Whether a study document asks for "lindqvist" or "peridynamics": both where it has no "evaluators".
+bool asks_for(const Json& document, const std::string& evaluator);
+
+// Key of everything the result depends on: exact bits of the case (not its name) and the solver's result
+// version.
 std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics);
 
 }  // namespace icebow

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cstdio>
+#include <type_traits>
+
+#include "study/evaluate.h"
+#include "study/sha256.h"
+
+namespace icebow {
+namespace {
+
+// Raise it when the same case would give another result: a changed model, a corrected error.
+constexpr int result_version = 1;
+
+// A field added to a case but not to its key would hand out results of another case: the sizes notice.
+static_assert(sizeof(void*) != 8 || (sizeof(BowParameters) == 104 && sizeof(IceMaterial) == 48 &&
+                                     sizeof(Water) == 16 && sizeof(Sheet) == 24 && sizeof(Numerics) == 48),
+              "add the new field to describe() below, then correct the size");
+static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 104 + 48 + 8 + 16 + 24 + 48 + 24 + 8,
+              "add the new field of Case to case_text() below, then correct the size");
+
+// One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
+// keys that should agree do not.
+class Text {
+ public:
+  void add(const char* name, double value) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%a", value == 0.0 ? 0.0 : value);  // -0.0 is 0.0
+    line(name, buffer);
+  }
+  void add(const char* name, int value) { line(name, std::to_string(value)); }
+  void add(const char* name, bool value) { line(name, value ? "true" : "false"); }
+  template <class E, class = std::enable_if_t<std::is_enum_v<E>>>
+  void add(const char* name, E value) {
+    line(name, std::to_string(static_cast<int>(value)));
+  }
+  const std::string& str() const { return text_; }
+
+ private:
+  void line(const char* name, const std::string& value) { text_ += std::string(name) + "=" + value + "\n"; }
+  std::string text_;
+};
+
+void describe(Text& text, const BowParameters& bow) {
+  text.add("bow.family", bow.family);
+  text.add("bow.stem", bow.angles.stem);
+  text.add("bow.waterline", bow.angles.waterline);
+  text.add("bow.buttock", bow.angles.buttock);
+  text.add("bow.flare", bow.angles.flare);
+  text.add("bow.L", bow.L);
+  text.add("bow.B", bow.B);
+  text.add("bow.T", bow.T);
+  text.add("bow.D", bow.D);
+  text.add("bow.Lf", bow.Lf);
+  text.add("bow.panel", bow.panel);
+  text.add("bow.belt_below", bow.belt_below);
+  text.add("bow.belt_above", bow.belt_above);
+}
+
+void describe(Text& text, const IceMaterial& ice) {
+  text.add("ice.h", ice.h);
+  text.add("ice.rho", ice.rho);
+  text.add("ice.E", ice.E);
+  text.add("ice.nu", ice.nu);
+  text.add("ice.s0", ice.s0);
+  text.add("ice.K_I", ice.K_I);
+}
+
+void describe(Text& text, const Numerics& numerics) {
+  text.add("numerics.dx", numerics.dx);
+  text.add("numerics.horizon_ratio", numerics.horizon_ratio);
+  text.add("numerics.dt", numerics.dt);
+  text.add("numerics.dt_fraction", numerics.dt_fraction);
+  text.add("numerics.surface_correction", numerics.surface_correction);
+  text.add("numerics.contact", numerics.contact);
+  text.add("numerics.friction", numerics.friction);
+}
+
+}  // namespace
+
+bool asks_for(const Json& document, const std::string& evaluator) {
+  if (!document.contains("evaluators")) return true;
+  const Json& list = document.at("evaluators");
+  return std::find(list.begin(), list.end(), Json(evaluator)) != list.end();
+}
+
+std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics) {
+  Text text;
+  text.add("icebow.result_version", result_version);
+  text.add("use_lindqvist", use_lindqvist);
+  text.add("use_peridynamics", use_peridynamics);
+  text.add("lambda", c.lambda);
+  describe(text, c.bow);
+  describe(text, c.ice);
+  text.add("flexural_strength", c.flexural_strength);
+  text.add("water.rho", c.water.rho);
+  text.add("water.buoyancy_and_gravity", c.water.buoyancy_and_gravity);
+  text.add("sheet.length", c.sheet.length);
+  text.add("sheet.width", c.sheet.width);
+  text.add("sheet.fixed", c.sheet.fixed);
+  describe(text, c.numerics);
+  text.add("V", c.V);
+  text.add("advance", c.advance);
+  text.add("steady_from", c.steady_from);
+  text.add("snapshots", c.snapshots);
+  text.add("pictures", c.pictures);
+  return sha256(text.str());
+}
+
+}  // namespace icebow

@@ -1,0 +1,14 @@
+// The load record of a run as a table.
+#pragma once
+
+#include <string>
+
+#include "solver/history.h"
+
+namespace icebow {
+
+// One header line with the units, then a row a sample, every digit kept: time_s, advance_m, Fx_N, Fy_N, Fz_N,
+// Mx_Nm, My_Nm, Mz_Nm, broken_bonds, contacts, kinetic_energy_J.
+std::string history_csv(const History& history);
+
+}  // namespace icebow

@@ -1,0 +1,57 @@
+// SQLite with destructors and exceptions. Included by store.cpp only.
+#pragma once
+
+#include <string>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace icebow {
+
+class Database {
+ public:
+  // Both throw RuntimeError naming the file.
+  static Database open(const std::string& path);
+  static Database open_read_only(const std::string& path);
+  Database(Database&& other) noexcept;
+  ~Database();
+
+  void execute(const std::string& sql);
+  std::string text_of(
+      const std::string& sql) const;  // first column of the first row; empty where there is none
+  [[noreturn]] void fail(const std::string& doing) const;
+  sqlite3* handle() const { return handle_; }
+
+ private:
+  Database(std::string path, int flags);
+  std::string path_;
+  sqlite3* handle_ = nullptr;
+};
+
+// One prepared statement: bind in order, step through the rows, read by column number.
+class Statement {
+ public:
+  Statement(const Database& database, const std::string& sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  Statement& bind(const std::string& text);
+  Statement& bind(double value);  // NaN becomes NULL
+  Statement& bind(int value);
+  bool step();  // true where there is a row to read
+  void run() {
+    while (step()) {
+    }
+  }
+
+  std::string text(int column) const;
+  double number(int column) const;  // NULL becomes NaN
+
+ private:
+  const Database& database_;
+  sqlite3_stmt* statement_ = nullptr;
+  int bound_ = 0;
+};
+
+}  // namespace icebow
