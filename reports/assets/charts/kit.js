@@ -1,0 +1,122 @@
+// ECharts with the parts this report needs, and what its charts share.
+import { CustomChart, LineChart, ScatterChart } from "echarts/charts";
+import { DataZoomComponent, GridComponent, MarkAreaComponent, MarkLineComponent, TooltipComponent } from "echarts/components";
+import { init, getInstanceByDom, use } from "echarts/core";
+import { LabelLayout } from "echarts/features";
+import { SVGRenderer } from "echarts/renderers";
+
+use([CustomChart, LineChart, ScatterChart, DataZoomComponent, GridComponent, MarkAreaComponent, MarkLineComponent,
+  TooltipComponent, LabelLayout, SVGRenderer]);
+
+const PAPER_WIDTH = 680; // px that A4 leaves between its margins
+const drawn = new Set();
+
+export function forEachChart(action) {
+  for (const element of drawn) action(getInstanceByDom(element));
+}
+
+// Draws into the element from scratch: a theme or paper changes every colour.
+export function draw(element, option, { paper = false, share = 1, height } = {}) {
+  getInstanceByDom(element)?.dispose();
+  drawn.add(element);
+  const size = { renderer: "svg" };
+  if (height) element.style.height = `${height}px`;
+  if (paper) size.width = Math.floor(PAPER_WIDTH * share);
+  const chart = init(element, null, size);
+  chart.setOption({ animation: false, textStyle: { fontFamily: FONT }, ...option });
+  element.dataset.drawn = "true";
+  return chart;
+}
+
+export const FONT = '"Source Sans 3 Variable", system-ui, sans-serif';
+
+// A colour of the style sheet, as the browser resolves it in the present theme.
+export function colour(name) {
+  const probe = document.createElement("i");
+  probe.style.color = `var(--${name})`;
+  document.body.append(probe);
+  const value = getComputedStyle(probe).color;
+  probe.remove();
+  return value;
+}
+
+export function palette() {
+  const names = ["ink", "muted", "rule", "panel", "accent", "tied", "plain", "lindqvist", "band"];
+  return Object.fromEntries(names.map((name) => [name, colour(name)]));
+}
+
+export function axis(p, name, more = {}) {
+  return {
+    type: "value", name, nameLocation: "middle", nameGap: 30, scale: false,
+    nameTextStyle: { color: p.muted, fontSize: 13 },
+    axisLabel: { color: p.muted, fontSize: 12, hideOverlap: true },
+    axisLine: { show: true, lineStyle: { color: p.muted } },
+    axisTick: { show: true, lineStyle: { color: p.muted } },
+    splitLine: { lineStyle: { color: p.rule } },
+    ...more,
+  };
+}
+
+export function tooltip(p, more = {}) {
+  return {
+    confine: true, backgroundColor: p.panel, borderColor: p.rule, padding: [8, 12],
+    textStyle: { color: p.ink, fontSize: 13, fontFamily: FONT }, ...more,
+  };
+}
+
+// Ends on whole steps, so that no odd number closes an axis. `count`: about how many steps.
+export function nice(lowest, highest, count = 5) {
+  const rough = (highest - lowest || Math.abs(highest) || 1) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const interval = power * [1, 2, 2.5, 5, 10].find((step) => step * power >= rough * 0.999);
+  const whole = (value) => Number((value * interval).toPrecision(12));
+  return { min: whole(Math.floor(lowest / interval + 1e-6)), max: whole(Math.ceil(highest / interval - 1e-6)), interval };
+}
+
+export const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
+
+export function format(value, decimals) {
+  return isNumber(value) ? value.toFixed(decimals).replace("-", "−") : "–";
+}
+
+export function escaped(text) {
+  return text.replace(/[&<>"']/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" })[c]);
+}
+
+export function withInterval(design, unit) {
+  const mean = format(design.mean_N / unit.newtons, unit.decimals);
+  return isNumber(design.ci95_N) ? `${mean} ± ${format(design.ci95_N / unit.newtons, unit.decimals)}` : mean;
+}
+
+export function describe(design, unit) {
+  const lines = [`<b>${escaped(design.name)}</b>, rank ${design.rank}`, `mean ${withInterval(design, unit)} ${unit.name}`];
+  if (isNumber(design.max_N)) lines.push(`peak ${format(design.max_N / unit.newtons, unit.decimals)} ${unit.name}`);
+  if (isNumber(design.lindqvist_N)) lines.push(`Lindqvist ${format(design.lindqvist_N / unit.newtons, unit.decimals)} ${unit.name}`);
+  const angles = ["stem", "waterline", "buttock", "flare"].map((key) => `${key} ${format(design.angles_deg[key], 1)}°`);
+  return lines.concat(angles.join(", ")).join("<br>");
+}
+
+// Best: filled accent circle; tied with it: ring; the others: plain dot. The shape says it without the colour.
+export function look(design, p) {
+  if (design.rank === 1) return { symbol: "circle", symbolSize: 12, itemStyle: { color: p.accent, opacity: 1 } };
+  if (design.tied_with_best)
+    return { symbol: "circle", symbolSize: 10, itemStyle: { color: p.panel, borderColor: p.accent, borderWidth: 2, opacity: 1 } };
+  return { symbol: "circle", symbolSize: 8, itemStyle: { color: p.plain, opacity: 1 } };
+}
+
+// A custom series that draws one interval with caps for each item: value = [position, from, to].
+export function intervals(p, data, upright = true) {
+  return {
+    type: "custom", silent: true, z: 2, data, clip: true,
+    renderItem(params, api) {
+      const at = api.value(0), a = api.coord(upright ? [at, api.value(1)] : [api.value(1), at]);
+      const b = api.coord(upright ? [at, api.value(2)] : [api.value(2), at]);
+      const style = { stroke: p.muted, lineWidth: 1.4, fill: null };
+      const line = (x1, y1, x2, y2) => ({ type: "line", shape: { x1, y1, x2, y2 }, style });
+      const cap = 4, [dx, dy] = upright ? [cap, 0] : [0, cap];
+      return { type: "group", children: [line(a[0], a[1], b[0], b[1]),
+        line(a[0] - dx, a[1] - dy, a[0] + dx, a[1] + dy), line(b[0] - dx, b[1] - dy, b[0] + dx, b[1] + dy)] };
+    },
+  };
+}
+
+export const measured = (data) => data.designs.filter((design) => design.rank > 0 && isNumber(design.mean_N));

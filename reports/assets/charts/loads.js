@@ -1,0 +1,32 @@
+// Mean load of each design with its interval, its peak and Lindqvist's value: one line a design, best on top.
+import { axis, describe, draw, intervals, isNumber, look, measured, palette, tooltip } from "./kit.js";
+
+export function drawLoads(data, options) {
+  const element = document.getElementById("chart-loads");
+  const designs = measured(data);
+  if (!element || designs.length === 0) return;
+  const p = palette(), unit = data.unit, scale = 1 / unit.newtons;
+  const points = (key) => designs.map((design, i) => [design[key] * scale, i]).filter(([x], i) => isNumber(designs[i][key]) && isNumber(x));
+  const best = designs[0];
+  const band = isNumber(best.ci95_N) && [[{ xAxis: (best.mean_N - best.ci95_N) * scale }, { xAxis: (best.mean_N + best.ci95_N) * scale }]];
+  const label = (name) => (name.length > 22 ? `${name.slice(0, 21)}…` : name);
+  draw(element, {
+    grid: { left: 8, right: 24, top: 8, bottom: 44, containLabel: true },
+    tooltip: tooltip(p, { trigger: "item", formatter: (item) => describe(designs[item.value[1]], unit) }),
+    xAxis: axis(p, `Ice load, full scale, ${unit.name}`, { min: 0 }),
+    yAxis: axis(p, "", {
+      type: "category", inverse: true, data: designs.map((design) => label(design.name)),
+      axisLine: { show: false }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: p.rule, type: [1, 4] } },
+      axisLabel: { color: p.ink, fontSize: 13, interval: 0 },
+    }),
+    series: [
+      { ...intervals(p, designs.flatMap((d, i) => isNumber(d.ci95_N) ? [[i, (d.mean_N - d.ci95_N) * scale, (d.mean_N + d.ci95_N) * scale]] : []), false),
+        encode: { x: [1, 2], y: 0 } },
+      { type: "scatter", z: 3, data: designs.map((d, i) => ({ value: [d.mean_N * scale, i], ...look(d, p) })),
+        markArea: band ? { silent: true, itemStyle: { color: p.band }, data: band } : undefined },
+      { type: "scatter", z: 1, symbol: "triangle", symbolSize: 8, data: points("max_N"),
+        itemStyle: { color: "transparent", borderColor: p.muted, borderWidth: 1.2 } },
+      { type: "scatter", z: 1, symbol: "diamond", symbolSize: 11, data: points("lindqvist_N"), itemStyle: { color: p.lindqvist, opacity: 1 } },
+    ],
+  }, { ...options, height: 26 * designs.length + 64 });
+}

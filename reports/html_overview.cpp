@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "base/units.h"
+#include "reports/html_sections.h"
+#include "reports/json_fields.h"
+#include "reports/text_format.h"
+#include "reports/verdict.h"
+
+namespace icebow {
+namespace {
+
+std::string term(const std::string& name, const std::string& value_html) {
+  return value_html.empty() ? value_html : "<div><dt>" + name + "</dt><dd>" + value_html + "</dd></div>\n";
+}
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[40];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
+  return text;
+}
+
+std::string design_counts(const StudyResults& study) {
+  std::string text = std::to_string(study.evaluated()) + " evaluated: " + std::to_string(study.ok) + " ok";
+  if (study.infeasible > 0) text += ", " + std::to_string(study.infeasible) + " infeasible";
+  if (study.failed > 0) text += ", " + std::to_string(study.failed) + " failed";
+  if (!study.running.empty()) text += "; " + std::to_string(study.running.size()) + " running";
+  if (!study.waiting.empty()) text += "; " + std::to_string(study.waiting.size()) + " not started";
+  return text;
+}
+
+struct Condition {
+  const char* name;
+  const char* pointer;
+  const char* unit;
+  int decimals;
+  double factor;
+};
+
+const Condition conditions[] = {
+    {"Ice thickness", "/lindqvist/inputs/h_m", "m", 2, 1.0},
+    {"Ship speed", "/lindqvist/inputs/V_m_s", "kn", 2, 1.0 / metres_per_second_per_knot},
+    {"Flexural strength", "/lindqvist/inputs/sigma_f_Pa", "kPa", 0, 1e-3},
+    {"Elastic modulus", "/lindqvist/inputs/E_Pa", "GPa", 2, 1e-9},
+    {"Hull friction", "/lindqvist/inputs/mu", "", 2, 1.0},
+    {"Ship length", "/lindqvist/inputs/L_m", "m", 1, 1.0},
+    {"Beam", "/lindqvist/inputs/B_m", "m", 1, 1.0},
+    {"Draught", "/lindqvist/inputs/T_m", "m", 1, 1.0},
+    {"Model scale", "/simulation/lambda", "", 0, 1.0},
+};
+
+// "1.00 m", or "0.80 to 1.20 m" where the designs differ.
+std::string condition_value(const ReportContent& content, const Condition& c) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (const RankedDesign& row : content.study.ranking.rows) {
+    const double value = number_at(row.evaluation.result, c.pointer) * c.factor;
+    if (!std::isfinite(value)) continue;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  if (lowest > highest) return {};
+  const bool is_scale = c.name == std::string("Model scale");
+  std::string text = (is_scale ? "1\u2009:\u2009" : "") + fixed(lowest, c.decimals);
+  if (fixed(highest, c.decimals) != fixed(lowest, c.decimals)) text += " to " + fixed(highest, c.decimals);
+  return *c.unit ? text + "\u00a0" + c.unit : text;
+}
+
+}  // namespace
+
+std::string verdict_html(const StudyResults& study) {
+  const Verdict words = verdict(study);
+  std::string html = "<p class=\"headline\">" + html_escaped(words.headline) + "</p>\n";
+  if (words.remarks.empty()) return html;
+  html += "<p class=\"remarks\">";
+  for (const std::string& remark : words.remarks) html += html_escaped(remark) + ' ';
+  return html + "</p>\n";
+}
+
+std::string provenance_html(const StudyResults& study) {
+  const std::string seed = study.seed.empty() ? std::string() : html_escaped(study.seed);
+  return "<dl class=\"facts\">\n" +
+         term("Command", study.command.empty() ? "" : "<code>" + html_escaped(study.command) + "</code>") +
+         term("Version", html_escaped(study.version)) + term("Started", html_escaped(study.started)) +
+         term("Report written", now_utc()) + term("Host", html_escaped(study.host)) + term("Seed", seed) +
+         term("Designs", design_counts(study)) +
+         term("Wall time, sum over designs", duration(study.wall_seconds)) + "</dl>\n";
+}
+
+std::string conditions_html(const ReportContent& content) {
+  std::string terms;
+  for (const Condition& c : conditions) terms += term(c.name, condition_value(content, c));
+  return terms.empty() ? terms : "<dl class=\"facts\">\n" + terms + "</dl>\n";
+}
+
+}  // namespace icebow

@@ -1,0 +1,36 @@
+// Reading a stored result: any key may be absent, so every look-up has an answer.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "base/json.h"
+
+namespace icebow {
+
+// `pointer` like "/metrics/full_scale/mean_load_N". NaN where it is absent, null or no number.
+inline double number_at(const Json& json, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  if (!json.contains(at)) return std::numeric_limits<double>::quiet_NaN();
+  const Json& value = json.at(at);
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+inline std::string text_at(const Json& json, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  return json.contains(at) && json.at(at).is_string() ? json.at(at).get<std::string>() : std::string();
+}
+
+// null where it is absent.
+inline const Json& part_at(const Json& json, const std::string& pointer) {
+  static const Json nothing;
+  const Json::json_pointer at(pointer);
+  return json.contains(at) ? json.at(at) : nothing;
+}
+
+inline bool is_false_at(const Json& json, const std::string& pointer) {
+  const Json& value = part_at(json, pointer);
+  return value.is_boolean() && !value.get<bool>();
+}
+
+}  // namespace icebow
