@@ -6,6 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "base/units.h"
+#include "hullgen/text.h"
+
 namespace icebow {
 namespace {
 
@@ -13,6 +16,8 @@ namespace {
 struct Sample {
   double along, s;
 };
+
+constexpr double angle_tolerance = radians(0.05);
 
 using Row = std::vector<Sample>;
 
@@ -77,6 +82,16 @@ double largest_difference(const BowAngles& a, const BowAngles& b) {
     largest = std::max(largest, std::abs(d));
   }
   return largest;
+}
+
+std::string angle_mismatch(const BowAngles& asked, const BowAngles& measured) {
+  if (largest_difference(asked, measured) <= angle_tolerance) return "";
+  return text(
+      "the mesh does not have the angles asked for (measured / asked, deg): stem %.3f / %.3f, waterline %.3f "
+      "/ "
+      "%.3f, buttock %.3f / %.3f, flare %.3f / %.3f: refine the panel size or widen the ice belt",
+      degrees(measured.stem), degrees(asked.stem), degrees(measured.waterline), degrees(asked.waterline),
+      degrees(measured.buttock), degrees(asked.buttock), degrees(measured.flare), degrees(asked.flare));
 }
 
 }  // namespace icebow

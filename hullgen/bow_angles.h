@@ -1,6 +1,8 @@
 // The four angles of a bow, read back from its mesh.
 #pragma once
 
+#include <string>
+
 #include "hullgen/bow.h"
 
 namespace icebow {
@@ -13,5 +15,8 @@ BowAngles measure_angles(const QuadMesh& mesh, double B);
 
 // Largest difference of two sets [rad]; NaN counts as infinite.
 double largest_difference(const BowAngles& a, const BowAngles& b);
+
+// "" where the mesh has the angles asked for within 0.05 deg, else both sets in words.
+std::string angle_mismatch(const BowAngles& asked, const BowAngles& measured);
 
 }  // namespace icebow

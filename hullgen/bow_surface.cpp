@@ -10,7 +10,7 @@ namespace icebow {
 namespace {
 
 constexpr double deck_edge_angle = radians(60.0);  // buttocks against the horizontal at the deck edge
-constexpr double fairing_power = 4.0;              // n: 4 leaves the waterline near B/4 alone
+constexpr double fairing_power = 6.0;              // n: leaves the waterline near B/4 alone
 
 // Distance covered by a slope of 1 that is kept for `hold`, falls smoothly (3u^2 - 2u^3) to 0 over `fade` and
 // stays 0.
@@ -60,7 +60,7 @@ BowSurface bow_surface(const BowParameters& bow) {
   b.bilge = std::min(bow.T / 4.0, bow.B / 8.0);
   b.belt_below = bow.belt_below;
   b.belt_above = bow.belt_above;
-  b.deck_fade = 0.4 * (bow.D - bow.T - bow.belt_above);
+  b.deck_fade = 0.5 * (bow.D - bow.T - bow.belt_above);
   b.fan_fade = form.straight_stem ? std::numeric_limits<double>::infinity()
                                   : std::min(0.25 * bow.T, bow.T - b.bilge - bow.belt_below);
   return b;

@@ -12,8 +12,8 @@ namespace {
 
 // The sheet [px]: profile above half-breadth plan in the left column, body plan above the table in the right
 // one.
-constexpr double width = 1280.0, left_margin = 62.0, left_column = 730.0, right_column = 330.0, gap = 92.0;
-constexpr double title_height = 84.0, label_room = 40.0, scale_room = 62.0;
+constexpr double width = 1312.0, left_margin = 62.0, left_column = 712.0, right_column = 330.0, gap = 100.0;
+constexpr double title_height = 98.0, label_room = 40.0, scale_room = 62.0;
 
 // currentColor where the drawing stands in a page; on its own it follows the reader's light or dark
 // preference.
@@ -42,8 +42,9 @@ constexpr const char* style = R"(
 )";
 
 std::string dimensions(const BowParameters& bow) {
-  return text("L %g m   B %g m   T %g m   D %g m   bow length on the design waterline %g m", bow.L, bow.B,
-              bow.T, bow.D, bow.Lf);
+  return text(
+      "L %g m \u00b7 B %g m \u00b7 T %g m \u00b7 D %g m \u00b7 bow length on the design waterline %g m",
+      bow.L, bow.B, bow.T, bow.D, bow.Lf);
 }
 
 // A table of the four angles: asked for, measured, and where.
@@ -71,6 +72,11 @@ void draw_table(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParamet
   row("flare", "derived", hull.flare_at_stem, "CL, DWL");
 }
 
+void draw_heading(SvgCanvas& svg, Pixel at, const std::string& view, const std::string& lines) {
+  svg.text(at, view, Anchor::start, "heading");
+  svg.text({at.x + 8.2 * static_cast<double>(view.size()) + 8.0, at.y}, lines, Anchor::start, "quiet");
+}
+
 std::string no_lines(const Hull& hull, const std::string& title) {
   SvgCanvas svg(width, 120.0, "lines-plan", style, title);
   svg.text({left_margin, 40.0}, title, Anchor::start, "title");
@@ -89,7 +95,7 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   const double plan_top = profile_top + bow.D * scale + scale_room + 1.5 * label_room;
   const View profile{{left_margin + scale * body.window, profile_top + scale * deck}, scale};
   const View plan{{profile.origin.x, plan_top + scale * half}, scale};
-  const double body_scale = right_column / bow.B, right = left_margin + left_column + gap + 24.0;
+  const double body_scale = right_column / bow.B, right = left_margin + left_column + gap;
   const View body_plan{{right + right_column / 2.0, profile_top + body_scale * deck}, body_scale};
   const double table_top = profile_top + bow.D * body_scale + label_room + 24.0;
   const double height = std::max(plan.origin.y + scale_room + 14.0, table_top + 7.0 * 21.0 + 20.0);
@@ -102,10 +108,10 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
                "; full scale, metres from the stem at the "
                "design waterline",
            Anchor::start, "quiet");
-  svg.text({left_margin, profile_top - 1.35 * label_room}, "Profile with buttocks", Anchor::start, "heading");
-  svg.text({left_margin, plan_top - label_room}, "Half-breadth plan with waterlines", Anchor::start,
-           "heading");
-  svg.text({right, profile_top - 1.35 * label_room}, "Body plan with stations", Anchor::start, "heading");
+  draw_heading(svg, {left_margin, profile_top - 1.5 * label_room}, "Profile", "buttocks by half-breadth, m");
+  draw_heading(svg, {left_margin, plan_top - label_room}, "Half-breadth plan", "waterlines by height, m");
+  draw_heading(svg, {right, profile_top - 1.5 * label_room}, "Body plan",
+               "stations by distance aft of the stem, m");
   svg.text({right + right_column, body_plan.at(0.0, -bow.T).y + 20.0},
            "right: up to the shoulder; left: aft of it", Anchor::end, "quiet");
   draw_profile(svg, body, profile);

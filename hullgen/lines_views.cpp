@@ -36,16 +36,27 @@ std::string metres(double value) {
   return text("%s%g", value < -1e-9 ? "\u2212" : "", std::abs(value));
 }
 
-// Draws a plane's cut in a view that shows the axes `across` and `up`; parts with across < lower are left
-// out.
+// What a view leaves out: the part of a line with point[axis] < lower.
+struct Limit {
+  int axis;
+  double lower;
+};
+
+// Draws a plane's cut in a view that shows the axes `across` (times sign) and `up`.
 void draw_cut(SvgCanvas& svg, const View& view, const std::vector<Polyline>& cut, int across, int up,
-              int clip_axis, double lower, double sign, const char* style_class) {
-  for (const Polyline& loop : cut)
-    for (const Polyline& part : clipped(loop, clip_axis, lower)) {
-      std::vector<Pixel> pixels;
-      for (const Vec3& p : part) pixels.push_back(view.at(sign * p[across], p[up]));
-      svg.polyline(pixels, style_class);
-    }
+              double sign, const std::vector<Limit>& limits, const char* style_class) {
+  std::vector<Polyline> parts = cut;
+  for (const Limit& limit : limits) {
+    std::vector<Polyline> kept;
+    for (const Polyline& part : parts)
+      for (Polyline& piece : clipped(part, limit.axis, limit.lower)) kept.push_back(std::move(piece));
+    parts = std::move(kept);
+  }
+  for (const Polyline& part : parts) {
+    std::vector<Pixel> pixels;
+    for (const Vec3& p : part) pixels.push_back(view.at(sign * p[across], p[up]));
+    svg.polyline(pixels, style_class);
+  }
 }
 
 // The point of a cut that is extreme in `first`; among equals, in `second` (each +1/-1 times an axis).
@@ -85,17 +96,23 @@ std::vector<double> waterline_heights(const ForeBody& b) {
   return heights;
 }
 
-// Scale of metres aft of the stem along the lower edge of profile and half-breadth plan.
-void draw_length_scale(SvgCanvas& svg, const ForeBody& b, const View& view, double low, double high) {
-  const double step = round_step(std::max(60.0 / view.scale, 1.0)) >= 5.0 ? 10.0 : 5.0;
-  const Pixel base = view.at(0.0, low);
-  for (double s : multiples(step, b.tip, b.window)) {
-    const Pixel p{view.at(-s, low).x, base.y + 20.0};
-    svg.line(p, view.at(-s, high), "grid");
-    svg.line({p.x, p.y}, {p.x, p.y + 5.0}, "tick");
-    svg.label({p.x, p.y + 18.0}, metres(s), Anchor::middle, "scale");
+std::vector<double> length_marks(const ForeBody& b, const View& view) {
+  return multiples(view.scale < 13.0 ? 10.0 : 5.0, b.tip, b.window);
+}
+
+// Scale of metres aft of the stem below the profile; the half-breadth plan stands under it.
+void draw_length_scale(SvgCanvas& svg, const ForeBody& b, const View& view, double low) {
+  const double y = view.at(0.0, low).y + 20.0;
+  for (double s : length_marks(b, view)) {
+    const double x = view.at(-s, low).x;
+    svg.line({x, y}, {x, y + 5.0}, "tick");
+    svg.label({x, y + 18.0}, metres(s), Anchor::middle, "scale");
   }
-  svg.line({view.at(-b.window, low).x, base.y + 20.0}, {view.at(-b.tip, low).x, base.y + 20.0}, "tick");
+  svg.line({view.at(-b.window, low).x, y}, {view.at(-b.tip, low).x, y}, "tick");
+}
+
+void draw_length_grid(SvgCanvas& svg, const ForeBody& b, const View& view, double low, double high) {
+  for (double s : length_marks(b, view)) svg.line(view.at(-s, low), view.at(-s, high), "grid");
 }
 
 // Where the lines stand in the view seen edge-on.
@@ -127,13 +144,14 @@ ForeBody fore_body(const Hull& hull, const BowParameters& bow) {
   b.window = std::max(1.06 * b.end, std::min(2.5 * bow.Lf, 1.2 * b.end));
   b.waterline_step = round_step(bow.T / 3.5);
   b.station_step = round_step((bow.Lf - b.tip) / 7.0);
-  b.aft_station_step = round_step(std::max(b.end - bow.Lf, 1.0) / 3.0);
+  b.aft_station_step = round_step(std::max(b.end - bow.Lf, 1.0) / 4.0);
   return b;
 }
 
 void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
   const double deck = b.bow.D - b.bow.T, forward = -b.tip + 3.0;
-  draw_length_scale(svg, b, view, -b.bow.T, deck);
+  draw_length_scale(svg, b, view, -b.bow.T);
+  draw_length_grid(svg, b, view, -b.bow.T, deck);
   draw_height_grid(svg, b, view, -b.window, forward);
   for (double z : waterline_heights(b)) {
     const bool dwl = std::abs(z) < 1e-9;
@@ -145,7 +163,7 @@ void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
        {0.9996, 0.75, 0.5, 0.25, 0.0}) {  // of the half-beam; the first is the edge of the flat of side
     const double y = share * b.bow.B / 2.0;
     const auto cut = slice(b.hull.mesh, 1, y);
-    draw_cut(svg, view, cut, 0, 2, 0, -b.window, 1.0,
+    draw_cut(svg, view, cut, 0, 2, 1.0, {{0, -b.window}},
              share == 0.0  ? "outline"
              : share > 0.9 ? "flat"
                            : "buttock");
@@ -155,8 +173,7 @@ void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
     svg.label({p.x, p.y - 7.0}, name, Anchor::middle, "name", {{0, -14}, {0, -28}, {0, -42}});
   }
   const BowAngles& a = b.hull.measured;
-  draw_angle(svg, view.at(0.0, 0.0), 0.0, a.stem, angle_words("stem", a.stem), {1.35 * mark + 4.0, 15.0},
-             Anchor::start);
+  draw_angle(svg, view.at(0.0, 0.0), 0.0, a.stem, angle_words("stem", a.stem), {12.0, 18.0}, Anchor::start);
   draw_angle(svg, view.at(-b.s1, 0.0), 0.0, a.buttock, angle_words("buttock", a.buttock), {0.0, 18.0},
              Anchor::middle);
 }
@@ -164,6 +181,7 @@ void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
 void draw_half_breadth(SvgCanvas& svg, const ForeBody& b, const View& view) {
   const double half = b.bow.B / 2.0, forward = -b.tip + 3.0;
   svg.line(view.at(-b.window, 0.0), view.at(forward, 0.0), "centre");
+  draw_length_grid(svg, b, view, 0.0, half);
   for (double share : {0.25, 0.5, 0.75, 1.0}) {
     const Pixel p = view.at(-b.window, share * half);
     svg.line(p, view.at(forward, share * half), "grid");
@@ -175,7 +193,7 @@ void draw_half_breadth(SvgCanvas& svg, const ForeBody& b, const View& view) {
   for (double z : heights) {
     const bool dwl = std::abs(z) < 1e-9, deck = z == b.bow.D - b.bow.T, flat = z < -b.bow.T + 0.1;
     const auto cut = slice(b.hull.mesh, 2, z);
-    draw_cut(svg, view, cut, 0, 1, 0, -b.window, 1.0,
+    draw_cut(svg, view, cut, 0, 1, 1.0, {{0, -b.window}, {1, 0.0}},
              dwl    ? "dwl-cut"
              : deck ? "outline"
              : flat ? "flat"
@@ -190,8 +208,8 @@ void draw_half_breadth(SvgCanvas& svg, const ForeBody& b, const View& view) {
               Anchor::middle, dwl ? "name dwl-name" : "name", {{0, -14}, {0, -28}, {0, -42}});
   }
   const double a = b.hull.measured.waterline;
-  draw_angle(svg, view.at(0.0, 0.0), -a, 0.0, angle_words("waterline", a), {1.35 * mark + 4.0, 16.0},
-             Anchor::start);
+  draw_angle(svg, view.at(0.0, 0.0), -a, 0.0, angle_words("waterline", a),
+             {30.0, 1.35 * mark * std::sin(a) + 18.0}, Anchor::middle);
 }
 
 void draw_body_plan(SvgCanvas& svg, const ForeBody& b, const View& view) {
@@ -203,27 +221,29 @@ void draw_body_plan(SvgCanvas& svg, const ForeBody& b, const View& view) {
 
   const auto station = [&](double s, double sign, const char* style_class) {
     const auto cut = slice(b.hull.mesh, 0, -s);
-    draw_cut(svg, view, cut, 1, 2, 1, 0.0, sign, style_class);
+    draw_cut(svg, view, cut, 1, 2, sign, {{1, 0.0}}, style_class);
     return cut;
   };
-  const auto outline = station(b.window, 1.0, "outline");
-  draw_cut(svg, view, outline, 1, 2, 1, 0.0, -1.0, "outline");
+  station(b.s1, 1.0, "measured");  // below the outline
+  const Pixel dwl = view.at(half, 0.0);
+  svg.label({dwl.x + 8.0, dwl.y + 4.0}, "DWL", Anchor::start, "scale dwl-name");
+  for (double sign : {-1.0, 1.0}) station(b.window, sign, "outline");
+  const double flare = b.hull.measured.flare;
+  draw_angle(svg, view.at(half / 2.0, 0.0), pi / 2.0 - flare, pi / 2.0, angle_words("flare", flare),
+             {view.scale * half / 2.0 + 8.0, 22.0}, Anchor::start);
   for (double s : multiples(b.station_step, b.tip + 0.1, b.bow.Lf)) {
-    const Vec3 top = extreme_point(station(s, 1.0, "station"), {2, 1.0}, {1, 1.0});
-    const Pixel p = view.at(top.y(), top.z());
-    svg.label({p.x, p.y - 7.0}, metres(s), Anchor::middle, "name", {{0, -14}, {0, -28}});
+    const auto cut = station(s, 1.0, "station");
+    const Vec3 side = extreme_point(cut, {1, 1.0}, {2, -1.0}), top = extreme_point(cut, {2, 1.0}, {1, 1.0});
+    const bool below_deck = side.z() < deck - 0.1;  // reaches the side, else the deck
+    const Pixel p = below_deck ? view.at(side.y(), side.z()) : view.at(top.y(), top.z());
+    svg.label(below_deck ? Pixel{p.x + 6.0, p.y + 4.0} : Pixel{p.x, p.y - 7.0}, metres(s),
+              below_deck ? Anchor::start : Anchor::middle, "name");
   }
   for (double s : multiples(b.aft_station_step, b.bow.Lf + 0.1, b.end - 0.1)) {
     const Vec3 side = extreme_point(station(s, -1.0, "station"), {1, 1.0}, {2, -1.0});
     const Pixel p = view.at(-side.y(), side.z());
     svg.label({p.x - 6.0, p.y + 4.0}, metres(s), Anchor::end, "name", {{0, 13}, {0, -13}});
   }
-  station(b.s1, 1.0, "measured");
-  const double flare = b.hull.measured.flare;
-  draw_angle(svg, view.at(half / 2.0, 0.0), pi / 2.0 - flare, pi / 2.0, angle_words("flare", flare),
-             {view.scale * half / 2.0 + 8.0, -10.0}, Anchor::start);
-  const Pixel dwl = view.at(half, 0.0);
-  svg.label({dwl.x + 8.0, dwl.y + 4.0}, "DWL", Anchor::start, "scale dwl-name");
 }
 
 }  // namespace icebow
