@@ -19,6 +19,8 @@ void move_design(Store& store, const std::string& study_directory, Evaluation e,
   }
   e.name = name;
   if (e.result.is_object() && e.result.contains("design")) e.result["design"] = name;
+  const fs::path file = to / "result.json";
+  if (fs::exists(file)) write_text_file(file.string(), json_text(e.result, 2) + "\n");
   store.put(e);
 }
 

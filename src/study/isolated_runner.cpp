@@ -182,6 +182,7 @@ Evaluation IsolatedRunner::result_of(const Job& job) const {
 
 Evaluation IsolatedRunner::lost(const Job& job) const {
   Evaluation e;
+  e.name = job.design.name;
   e.status = EvaluationStatus::failed;
   e.wall_seconds = job.child->seconds();
   const std::string complaint = job.child->complaint(), said = last_line(log_file(job));
