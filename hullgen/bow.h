@@ -25,7 +25,7 @@ struct BowAngles {
 struct BowParameters {
   BowFamily family = BowFamily::straight_parallel_buttocks;
   BowAngles angles;
-  double L = 0.0;           //!< length between perpendiculars [m]
+  double L = 0.0;           //!< length between perpendiculars: stem at the waterline to the transom [m]
   double B = 0.0;           //!< beam [m]
   double T = 0.0;           //!< draught [m]
   double D = 0.0;           //!< depth [m]
@@ -38,15 +38,15 @@ struct BowParameters {
 // One feasibility inequality, written so that value >= 0 means satisfied.
 struct Margin {
   std::string name;      // "g1"
-  double value = 0.0;    // metres or cotangents, see docs/theory.md
+  double value = 0.0;    // [m] g1, g2, g5; cotangents g3, g4; [rad] g6: see docs/bows.md
   bool required = true;  // a margin that is only reported (convexity of a hollow waterline) is false
   std::string sentence;  // what it means and, where negative, which parameter to move which way
 };
 
 struct BowFeasibility {
   bool feasible = false;
-  std::vector<Margin> margins;
-  std::string reason;  // the violated inequalities in words; empty where feasible
+  std::vector<Margin> margins;  // always g1 to g6; -1 where a value cannot be computed
+  std::string reason;           // the violated inequalities in words; empty where feasible
 };
 
 BowFeasibility check_feasibility(const BowParameters& bow);

@@ -8,16 +8,24 @@
 #include <cmath>
 #include <utility>
 
+#include "hullgen/bow_surface.h"
 #include "hullgen/spacing.h"
 
 namespace icebow {
 namespace {
 
 constexpr double growth = 0.15;           // of the wanted edge length per length away from the ice belt
-constexpr double coarsest = 3.0;          // times the panel size, on the bow
+constexpr double coarsest_below = 3.0;    // times the panel size, on the bow below the ice belt
+constexpr double coarsest_above = 1.5;    // and above it, where the buttocks turn up
 constexpr double coarsest_aft = 8.0;      // times the panel size, towards the transom
 constexpr int coarsest_level = 3;         // the ring is halved at most this often
-constexpr double bilge_resolution = 4.0;  // cells per bilge radius
+constexpr double bilge_resolution = 5.0;  // cells per bilge radius
+
+// Heights of the rows, keel to deck, and etas of one side's columns, centreline to side. z = 0, the ends of
+// the ice belt and eta = B/4 are among them.
+struct BowGrid {
+  std::vector<double> z, eta;
+};
 
 struct Cell {
   int j, i;
@@ -170,19 +178,14 @@ void append(std::vector<double>& lines, const std::vector<double>& more) {
   lines.insert(lines.end(), more.begin() + 1, more.end());
 }
 
-}  // namespace
-
-double panel_size(const BowParameters& bow) {
-  return bow.panel > 0.0 ? bow.panel : bow.B / 60.0;
-}
-
 BowGrid bow_grid(const BowSurface& bow, double panel) {
   // Rows follow the buttock at the side, which also takes in the bilge; columns follow the design waterline.
   const Curve buttock = [&](double z) { return bow.point(bow.half_beam(), z); };
   const Curve waterline = [&](double eta) { return bow.point(eta, 0.0); };
   const CellLength belt = [&](double, double) { return panel; };
   const CellLength outside = [&](double z, double length) {
-    const double away = std::min(panel + growth * length, coarsest * panel);
+    const double cap = z > 0.0 ? coarsest_above : coarsest_below;
+    const double away = std::min(panel + growth * length, cap * panel);
     return z < bow.bilge - bow.T ? std::min(away, bow.bilge / bilge_resolution) : away;
   };
   BowGrid grid;
@@ -194,6 +197,12 @@ BowGrid bow_grid(const BowSurface& bow, double panel) {
   grid.eta = graded(waterline, 0.0, bow.yq, belt, 4);
   append(grid.eta, graded(waterline, bow.yq, bow.half_beam(), belt, 4));
   return grid;
+}
+
+}  // namespace
+
+double panel_size(const BowParameters& bow) {
+  return bow.panel > 0.0 ? bow.panel : bow.B / 60.0;
 }
 
 QuadMesh bow_mesh(const BowParameters& bow) {

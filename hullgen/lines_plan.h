@@ -9,7 +9,9 @@
 namespace icebow {
 
 // A self-contained <svg> element (no external references, colours by CSS currentColor and variables so that
-// it reads on light and dark pages). Lengths in the drawing are full scale.
+// it reads on light and dark pages: --lp-paper is the page's background, --lp-water and --lp-angle colour the
+// design waterline and the angles). A hull without a mesh gives its reason instead of lines. Lengths are full
+// scale.
 std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std::string& title);
 
 }  // namespace icebow

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
+#include "hullgen/bow_surface.h"
 #include "hullgen/mesh_check.h"
 #include "paper_bows.h"
 
