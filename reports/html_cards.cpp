@@ -204,15 +204,15 @@ std::string card(const ReportContent& content, std::size_t i) {
   std::string html = "<details class=\"card\" id=\"" + design.id + "\"" + (ranked.rank <= 3 ? " open" : "") +
                      ">\n" + card_summary(content, ranked);
   html += "<div class=\"card-body\">\n";
-  html += "<div class=\"drawings\">";
   html += design.lines_plan.empty()
-              ? "<p class=\"note lines\">No lines plan was written for this design.</p>\n"
-              : figure(design.lines_plan, "Lines plan, full scale", "lines");
-  html += picture_strip(design, ranked.evaluation.name) + "</div>\n<div class=\"tables\">" +
-          angles_table(result) + loads_table(result, content.unit) +
+              ? "<p class=\"note\">No lines plan was written for this design.</p>\n"
+              : figure("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Lines plan\">" +
+                           design.lines_plan + "</div>",
+                       "Lines plan, full scale.", "lines");
+  html += "<div class=\"tables\">" + angles_table(result) + loads_table(result, content.unit) +
           lindqvist_table(result, ranked, content.unit) + "</div>\n";
-  html += "<div class=\"small-print\"><div>" + margins_list(result) + "</div><div>" +
-          ice_facts(result, design.lambda) + "</div><div>" +
+  html += picture_strip(design, ranked.evaluation.name) + "<div class=\"small-print\"><div>" +
+          margins_list(result) + "</div><div>" + ice_facts(result, design.lambda) + "</div><div>" +
           simulation_facts(result, ranked.evaluation.wall_seconds) + "</div></div>\n";
   return html + "</div></details>\n";
 }

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/units.h"
 #include "reports/html_sections.h"
 #include "reports/json_fields.h"
 #include "reports/text_format.h"
 #include "reports/verdict.h"
+#include "study/provenance.h"
 
 namespace icebow {
 namespace {
@@ -15,13 +15,10 @@ std::string term(const std::string& name, const std::string& value_html) {
   return value_html.empty() ? value_html : "<div><dt>" + name + "</dt><dd>" + value_html + "</dd></div>\n";
 }
 
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[40];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
-  return text;
+// "2026-11-22T15:43:32Z" reads "2026-11-22 15:43 UTC"; anything else stays.
+std::string time_in_words(const std::string& iso) {
+  if (iso.size() != 20 || iso[10] != 'T' || iso[19] != 'Z') return iso;
+  return iso.substr(0, 10) + "\u00a0" + iso.substr(11, 5) + " UTC";
 }
 
 std::string design_counts(const StudyResults& study) {
@@ -81,13 +78,13 @@ std::string verdict_html(const StudyResults& study) {
 }
 
 std::string provenance_html(const StudyResults& study) {
-  const std::string seed = study.seed.empty() ? std::string() : html_escaped(study.seed);
-  return "<dl class=\"facts\">\n" +
-         term("Command", study.command.empty() ? "" : "<code>" + html_escaped(study.command) + "</code>") +
-         term("Version", html_escaped(study.version)) + term("Started", html_escaped(study.started)) +
-         term("Report written", now_utc()) + term("Host", html_escaped(study.host)) + term("Seed", seed) +
-         term("Designs", design_counts(study)) +
-         term("Wall time, sum over designs", duration(study.wall_seconds)) + "</dl>\n";
+  const std::string command = study.command.empty() ? "" : "<code>" + html_escaped(study.command) + "</code>";
+  return "<dl class=\"facts\">\n" + term("Designs", design_counts(study)) +
+         term("Study started", html_escaped(time_in_words(study.started))) +
+         term("Report written", time_in_words(utc_now())) +
+         term("Computing time, all designs", duration(study.wall_seconds)) +
+         term("Host", html_escaped(study.host)) + term("Icebow", html_escaped(study.version)) +
+         term("Seed", html_escaped(study.seed)) + term("Command", command) + "</dl>\n";
 }
 
 std::string conditions_html(const ReportContent& content) {

@@ -60,12 +60,15 @@ void count_statuses(StudyResults& study, const std::vector<Evaluation>& evaluati
   }
 }
 
-std::string rank_by(const Json& document) {
-  try {
-    return read_study(document, "study").rank_by;
-  } catch (const std::exception&) {
-    return StudySpec().rank_by;
-  }
+std::string rank_by(const Store& store) {
+  const std::string fact = store.fact("rank_by");
+  return fact.empty() ? StudySpec().rank_by : fact;
+}
+
+// Lists and grids draw no random numbers.
+std::string seed(const Json& document, const Store& store) {
+  const std::string method = text_at(document, "/method/type");
+  return method == "latin_hypercube" || method == "optimise" ? store.fact("seed") : std::string();
 }
 
 }  // namespace
@@ -92,8 +95,9 @@ StudyResults read_study_results(const std::string& directory) {
   study.version = store.fact("version");
   study.host = store.fact("host");
   study.started = store.fact("started");
-  study.seed = store.fact("seed");
-  study.ranking = rank_designs(evaluations, rank_by(study.document));
+  study.state = store.fact("state");
+  study.seed = seed(study.document, store);
+  study.ranking = rank_designs(evaluations, rank_by(store));
   count_statuses(study, evaluations);
   add_plan(study, evaluations);
   return study;

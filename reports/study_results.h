@@ -12,6 +12,7 @@ struct StudyResults {
   std::string directory;
   std::string name, purpose;
   std::string command, version, host, started;  // of the run; empty where unknown
+  std::string state;                            // "running", "interrupted", "finished"; empty where unknown
   Json document;                                // study.json; null where unreadable
   Ranking ranking;
   int ok = 0, infeasible = 0, failed = 0;
@@ -22,7 +23,7 @@ struct StudyResults {
   std::string seed;                  // empty where the method draws nothing
 
   int evaluated() const { return ok + infeasible + failed; }
-  bool finished() const { return running.empty() && waiting.empty(); }
+  bool finished() const { return state.empty() ? running.empty() && waiting.empty() : state == "finished"; }
   int ranked() const;  // rows with a rank; they come first in ranking.rows
 };
 

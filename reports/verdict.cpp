@@ -66,6 +66,18 @@ void add_lindqvist_remark(const Ranking& ranking, std::vector<std::string>& rema
                     std::to_string(ranking.spearman_n) + " designs).");
 }
 
+std::string unfinished(const StudyResults& study) {
+  std::vector<std::string> parts;
+  if (!study.running.empty())
+    parts.push_back(counted(study.running.size(), "design") + " started without a result");
+  if (!study.waiting.empty()) parts.push_back(counted(study.waiting.size(), "design") + " not started");
+  if (study.proposals > 0)
+    parts.push_back("up to " + std::to_string(study.proposals) + " more from the optimiser");
+  const std::string missing = parts.empty() ? "" : ": " + listed(parts, 3);
+  return (study.state == "interrupted" ? "The study was interrupted" : "The study is not finished") +
+         missing + ". The ranking may change.";
+}
+
 void add_missing_remark(const StudyResults& study, std::vector<std::string>& remarks) {
   if (study.infeasible + study.failed > 0) {
     std::vector<std::string> parts;
@@ -73,12 +85,7 @@ void add_missing_remark(const StudyResults& study, std::vector<std::string>& rem
     if (study.failed > 0) parts.push_back(counted(study.failed, "design") + " failed");
     remarks.push_back("Not ranked: " + listed(parts, 2) + ", each with its reason below.");
   }
-  if (study.finished()) return;
-  std::vector<std::string> parts;
-  if (!study.running.empty())
-    parts.push_back(counted(study.running.size(), "design") + " started without a result");
-  if (!study.waiting.empty()) parts.push_back(counted(study.waiting.size(), "design") + " not started");
-  remarks.push_back("The study is not finished: " + listed(parts, 2) + ". The ranking may change.");
+  if (!study.finished()) remarks.push_back(unfinished(study));
 }
 
 }  // namespace

@@ -237,6 +237,8 @@ void write_sample_study(const std::string& directory, const SampleStudy& options
   store.set_fact("command", "icebow run studies/bows.json --out out/bows");
   store.set_fact("version", "0.1.0");
   store.set_fact("host", "towing-tank");
+  store.set_fact("rank_by", options.peridynamics ? "mean_load" : "lindqvist_breaking");
+  store.set_fact("state", options.finished ? "finished" : "running");
   store.set_fact("started", "2026-11-22T15:43:32Z");
   const StudyPlan plan = plan_study(read_study(document, "sample"));
   const std::size_t shown = options.finished ? bows.size() : bows.size() - 4;

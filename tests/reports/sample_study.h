@@ -7,7 +7,7 @@
 namespace icebow {
 
 struct SampleStudy {
-  int picture_width = 120;  // px
+  int picture_width = 40;  // px
   int history_rows = 400;
   bool peridynamics = true;  // false: the formula alone
   bool lindqvist = true;

@@ -41,7 +41,7 @@ export function colour(name) {
 }
 
 export function palette() {
-  const names = ["ink", "muted", "rule", "panel", "accent", "tied", "plain", "lindqvist", "band"];
+  const names = ["ink", "muted", "rule", "panel", "paper", "accent", "tied", "plain", "lindqvist", "band"];
   return Object.fromEntries(names.map((name) => [name, colour(name)]));
 }
 

@@ -36,12 +36,12 @@ export function drawScatter(data, options) {
     yAxis: axis(p, `Measured mean load, ${unit.name}`, { ...ends, nameGap: 38 }),
     series: [
       { type: "line", silent: true, symbol: "none", data: [[ends.min, ends.min], [ends.max, ends.max]], lineStyle: { color: p.muted, type: [6, 5], width: 1.2 },
-        endLabel: { show: true, formatter: "1 : 1", color: p.muted, fontSize: 12, offset: [-40, 18] } },
+        endLabel: { show: true, formatter: "1 : 1", color: p.muted, fontSize: 12, offset: [-14, 30] } },
       { ...intervals(p, designs.flatMap((d) => isNumber(d.ci95_N)
         ? [[d.lindqvist_N * scale, (d.mean_N - d.ci95_N) * scale, (d.mean_N + d.ci95_N) * scale]] : [])), encode: { x: 0, y: [1, 2] } },
       { type: "scatter", z: 3, labelLayout: { hideOverlap: true },
         data: designs.map((d) => labelled(d, p, scale)),
-        label: { show: true, distance: 7, formatter: "{b}", color: p.ink, fontSize: 12, width: 130, overflow: "truncate" } },
+        label: { show: true, distance: 7, formatter: "{b}", color: p.ink, fontSize: 12, width: 130, overflow: "truncate", textBorderColor: p.paper, textBorderWidth: 3 } },
     ],
   }, { ...options, height: Math.min(500, Math.max(340, 0.86 * element.clientWidth)) });
 }

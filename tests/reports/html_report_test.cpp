@@ -1,0 +1,165 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <regex>
+
+#include "base/errors.h"
+#include "base/json.h"
+#include "reports/report.h"
+#include "sample_study.h"
+#include "scratch.h"
+#include "study/store.h"
+
+namespace icebow {
+namespace {
+
+std::string html_of(const Scratch& study) {
+  write_html_report(study.path(), study.path() + "/report.html");
+  return read_text_file(study.path() + "/report.html");
+}
+
+std::string sample_html(const SampleStudy& options = {}) {
+  const Scratch study("html");
+  write_sample_study(study.path(), options);
+  return html_of(study);
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+  return n;
+}
+
+Json data_of(const std::string& html) {
+  const std::string open = "<script type=\"application/json\" id=\"icebow-data\">";
+  const std::size_t begin = html.find(open) + open.size();
+  return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+}
+
+Json design_of(const Json& data, const std::string& name) {
+  for (const Json& design : data.at("designs"))
+    if (design.at("name") == name) return design;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("the page names every design and gives the reasons of those that are not ranked") {
+  const std::string html = sample_html();
+  for (const char* name : {"baseline", "Thyssen-Waas", "steep stem", "fine entrance", "White", "Melville",
+                           "spoon", "high flare", "blunt", "too full", "too long", "fast water"})
+    CHECK(holds(html, std::string(">") + name + "<"));
+  CHECK(holds(html, "unstable at step 8120"));
+  CHECK(holds(html, "g1 = -3.41 m"));
+  CHECK(holds(html, "Thyssen-Waas has the lowest mean ice load, 0.75"));
+  CHECK(count(html, "<details class=\"card\"") == 10);
+}
+
+TEST_CASE("the page needs nothing from outside") {
+  const std::string html = sample_html();
+  CHECK_FALSE(std::regex_search(html, std::regex("(src|href)=\"(https?:)?//")));
+  CHECK_FALSE(holds(html, "@import"));
+  CHECK_FALSE(std::regex_search(html, std::regex("url\\(\"?https?:")));
+}
+
+TEST_CASE("a design's name is text wherever it stands") {
+  const std::string html = sample_html();
+  CHECK(holds(html, "odd &lt;b&gt;&amp;&quot;&#39;&lt;script&gt;"));
+  CHECK_FALSE(holds(html, "odd <b>"));
+  CHECK(count(html, "<script") == count(html, "</script>"));
+  CHECK_FALSE(design_of(data_of(html), "odd <b>&\"'<script>").is_null());
+}
+
+TEST_CASE("ids are unique and references to them hold") {
+  const std::string html = sample_html();
+  const std::string body = html.substr(0, html.find("id=\"icebow-data\""));
+  std::map<std::string, int> ids;
+  const std::regex id("\\sid=\"([^\"]+)\"");
+  for (std::sregex_iterator it(body.begin(), body.end(), id), end; it != end; ++it) ++ids[(*it)[1]];
+  for (const auto& [name, n] : ids) {
+    INFO(name);
+    CHECK(n == 1);
+  }
+  const std::regex reference("(?:href=\"#|url\\(#)([\\w-]+)");
+  for (std::sregex_iterator it(body.begin(), body.end(), reference), end; it != end; ++it) {
+    INFO((*it)[1]);
+    CHECK(ids.count((*it)[1]) == 1);
+  }
+}
+
+TEST_CASE("the data in the page is that of the store, full scale") {
+  const Json data = data_of(sample_html());
+  const Json white = design_of(data, "White");
+  CHECK(white.at("mean_N").get<double>() == Approx(50.3 * 25 * 25 * 25));
+  CHECK(white.at("ci95_N").get<double>() == Approx(4.4 * 25 * 25 * 25));
+  CHECK(white.at("steady_m") == Json::array({12.5, 62.5}));
+  CHECK(white.at("history").at("advance_m").back().get<double>() == Approx(62.5));
+  CHECK(white.at("history").at("load_N").size() == 400);
+  CHECK(design_of(data, "too full").at("mean_N").is_null());
+}
+
+TEST_CASE("pictures and lines plans are inside the page") {
+  const std::string html = sample_html();
+  CHECK(count(html, "src=\"data:image/png;base64,iVBOR") == 30);
+  CHECK(count(html, "<svg xmlns=") == 10);
+  CHECK(holds(html, "62.5\u00a0m <small>(model 2.50\u00a0m)</small>"));
+}
+
+TEST_CASE("a report of a study that is still running says so") {
+  SampleStudy options;
+  options.finished = false;
+  const std::string html = sample_html(options);
+  CHECK(holds(html, "Unfinished study."));
+  CHECK(holds(html, "1 design started without a result and 4 designs not started"));
+  CHECK(holds(html, "\u2026 running"));
+  CHECK_FALSE(holds(sample_html(), "Unfinished study."));
+}
+
+TEST_CASE("a study without simulations has no charts of loads, and is ranked by the formula") {
+  SampleStudy options;
+  options.peridynamics = false;
+  const std::string html = sample_html(options);
+  CHECK(holds(html, "lowest breaking resistance by Lindqvist&#39;s formula"));
+  CHECK_FALSE(holds(html, "id=\"chart-history\""));
+  CHECK_FALSE(holds(html, "id=\"chart-scatter\""));
+  CHECK(count(html, "<details class=\"card\"") == 10);
+}
+
+TEST_CASE("a study without the formula is ranked by its loads alone") {
+  SampleStudy options;
+  options.lindqvist = false;
+  const std::string html = sample_html(options);
+  CHECK(holds(html, "id=\"chart-loads\""));
+  CHECK_FALSE(holds(html, "id=\"chart-scatter\""));
+  CHECK_FALSE(holds(html, "Lindqvist's breaking part"));
+}
+
+TEST_CASE("results with next to nothing in them still make a page") {
+  const Scratch study("bare");
+  {
+    Store store = Store::open(study.path() + "/results.sqlite");
+    Evaluation e;
+    for (const EvaluationStatus status :
+         {EvaluationStatus::ok, EvaluationStatus::infeasible, EvaluationStatus::failed}) {
+      e.name = e.key = to_string(status);
+      e.status = status;
+      e.result = status == EvaluationStatus::ok ? Json{{"metrics", {{"mean_load_N", nullptr}}}, {"hull", "?"}}
+                                                : Json();
+      store.put(e);
+    }
+  }
+  const std::string html = html_of(study);
+  CHECK(holds(html, "No design could be ranked"));
+  CHECK(holds(html, "No reason was recorded."));
+}
+
+TEST_CASE("a directory without a study is the user's mistake") {
+  const Scratch empty("none");
+  CHECK_THROWS_AS(write_html_report(empty.path(), empty.path() + "/report.html"), InputError);
+  CHECK_THROWS_WITH(write_table_reports(empty.path()), Catch::Contains("results.sqlite"));
+}
+
+}  // namespace icebow
