@@ -2,7 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <regex>
 #include <thread>
 
 #include "base/errors.h"
@@ -42,12 +42,15 @@ int jobs_at_once(const RunnerContext& context) {
   return std::max(1, cores / std::max(1, execution.ranks_per_design));
 }
 
-// mpirun frames what it says with rules and boilerplate that tell nobody anything.
+// Open MPI frames what a program says with rules, advice and, after a crash, a backtrace of lines
+// "[host:process] ...".
 bool says_something(const std::string& line) {
-  if (line.find_first_not_of("- \t\r*") == std::string::npos) return false;
-  for (const char* boilerplate :
+  static const std::regex backtrace(R"(^\[[^\]]*:\d+\] .*)");
+  if (line.find_first_not_of("- \t\r*") == std::string::npos || std::regex_match(line, backtrace))
+    return false;
+  for (const char* advice :
        {"mpirun", "Primary job", "MPI_ABORT", "a non-zero exit code", "Per user-direction"}) {
-    if (line.find(boilerplate) != std::string::npos) return false;
+    if (line.find(advice) != std::string::npos) return false;
   }
   return true;
 }

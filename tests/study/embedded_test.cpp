@@ -58,7 +58,11 @@ TEST_CASE("an optimisation by all ranks") {
   const StudySpec spec =
       fake_study(R"({"method": {"type": "optimise", "algorithm": "sbplx", "max_evaluations": 12,
     "tolerance": 0, "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})");
-  CHECK(run_study(test_world(), spec, settings, observer).ok == 12);
+  const StudyOutcome outcome = run_study(test_world(), spec, settings, observer);
+  CHECK(outcome.ok > 6);  // a simplex on a line comes back to some of its 12 points
+  CHECK(outcome.ok <= 12);
+  REQUIRE(outcome.notes.size() == 1);
+  CHECK_THAT(outcome.notes[0], Catch::Contains("12 points"));
 }
 
 TEST_CASE("an error of the root alone, or of one rank alone, is everybody's and nobody hangs") {
