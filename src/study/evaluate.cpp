@@ -45,6 +45,7 @@ class DesignRun {
 
   Evaluation run() {
     const auto begin = Clock::now();
+    if (writes()) on_root(comm_, [&] { std::filesystem::create_directories(options_.directory); });
     evaluate();
     e_.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     describe();
@@ -92,7 +93,6 @@ void DesignRun::evaluate() {
   }
   e_.key = evaluation_key(case_, asks_for(design_.document, "lindqvist"),
                           asks_for(design_.document, "peridynamics"));
-  if (writes()) on_root(comm_, [&] { std::filesystem::create_directories(options_.directory); });
   measure_hull();
   if (!ended_ && asks_for(design_.document, "lindqvist")) apply_formula();
   if (!ended_ && asks_for(design_.document, "peridynamics")) run_simulation();
@@ -153,7 +153,7 @@ RunResult DesignRun::simulated() {
 }
 
 void DesignRun::take(const RunResult& run) {
-  e_.result["metrics"] = metrics_json(run, case_.lambda);
+  if (run.status == RunStatus::ok) e_.result["metrics"] = metrics_json(run, case_.lambda);
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
                              {"steps", run.steps},

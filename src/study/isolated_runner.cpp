@@ -2,7 +2,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <thread>
 
 #include "base/errors.h"
@@ -42,12 +41,9 @@ int jobs_at_once(const RunnerContext& context) {
   return std::max(1, cores / std::max(1, execution.ranks_per_design));
 }
 
-// Open MPI frames what a program says with rules, advice and, after a crash, a backtrace of lines
-// "[host:process] ...".
+// Open MPI frames what a program says with rules and advice.
 bool says_something(const std::string& line) {
-  static const std::regex backtrace(R"(^\[[^\]]*:\d+\] .*)");
-  if (line.find_first_not_of("- \t\r*") == std::string::npos || std::regex_match(line, backtrace))
-    return false;
+  if (line.find_first_not_of("- \t\r*") == std::string::npos) return false;
   for (const char* advice :
        {"mpirun", "Primary job", "MPI_ABORT", "a non-zero exit code", "Per user-direction"}) {
     if (line.find(advice) != std::string::npos) return false;
@@ -55,10 +51,12 @@ bool says_something(const std::string& line) {
   return true;
 }
 
+// The last words of the program: what follows a signal is Open MPI's backtrace.
 std::string last_line(const std::string& path) {
   std::ifstream file(path);
   std::string last;
   for (std::string line; std::getline(file, line);) {
+    if (line.find("*** Process received signal") != std::string::npos) break;
     if (says_something(line)) last = line;
   }
   return last.size() > 300 ? last.substr(0, 300) + " ..." : last;

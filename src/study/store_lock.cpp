@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "base/errors.h"
 #include "study/provenance.h"
@@ -23,6 +25,17 @@ std::string content(int file) {
   return line.substr(0, line.find('\n'));
 }
 
+// 0 or an errno. Tries for a while: a run that was killed while it started a child shares its lock with that
+// child until the child has become another program.
+int lock(int file) {
+  int error = EWOULDBLOCK;
+  for (int i = 0; i < 50 && error == EWOULDBLOCK; ++i) {
+    if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    error = flock(file, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+  }
+  return error;
+}
+
 void write_holder(int file) {
   const std::string holder = "process " + std::to_string(getpid()) + " on " + host_name() + "\n";
   // Only words for a message: a full disk may leave them out.
@@ -34,11 +47,10 @@ void write_holder(int file) {
 StoreLock::StoreLock(const std::string& path) {
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) throw RuntimeError(path + ": cannot be opened for writing: " + std::strerror(errno));
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0) {
-    write_holder(file_);
-    return;
-  }
-  if (errno != EWOULDBLOCK) return;  // a file system without such locks: SQLite's own still protect the data
+  const int error = lock(file_);
+  if (error == 0) write_holder(file_);
+  if (error != EWOULDBLOCK)
+    return;  // where a file system has no such locks, SQLite's own still protect the data
   const std::string holder = content(file_);
   ::close(file_);
   throw RuntimeError(path + ": another icebow run is working on this study (" +
