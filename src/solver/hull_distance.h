@@ -5,17 +5,16 @@
 // watertight. Signed distance is negative inside; its sign comes from angle-weighted pseudo-normals
 // (Baerentzen and Aanaes 2005), right at edges and corners of a closed mesh.
 //
-// Two filters make a query cheap whatever the number of panels. A uniform grid knows for each of its cells
-// whether the whole cell is outside the hull: most particles are done after one table look-up. For the other
-// cells it keeps a triangle close to the cell, whose distance is a tight first bound for the search in a tree
-// of boxes.
+// Two structures make a query cheap whatever the number of panels: a uniform grid whose cells know whether
+// they are outside, inside or crossed by the surface, and which triangles matter to them (hull_cells.h), and
+// a tree of boxes for the few points far from the surface (triangle_tree.h).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/quad_mesh.h"
-#include "solver/cell_grid.h"
+#include "solver/hull_cells.h"
 #include "solver/triangle_surface.h"
 #include "solver/triangle_tree.h"
 
@@ -40,16 +39,18 @@ struct InsidePoint {
 class HullDistance {
  public:
   // Points of `region` (hull frame) will be asked for contact: the grid covers what the region and the hull's
-  // bounding box share with 1 to 4 million cells (up to 20 MB), the finer the smaller the panels. Throws
-  // InputError for a mesh that is not closed.
+  // bounding box share with 1 to 4 million cells, the finer the smaller the panels. Memory: 4 bytes a cell,
+  // up to 176 bytes a cell that the surface crosses, about 500 bytes a quad. Throws InputError for a mesh
+  // that is not closed.
   HullDistance(const QuadMesh& mesh, const Box& region);
 
   // False at once for points that are certainly outside the hull or outside the region.
   bool may_be_inside(const Vec3& p) const {
     const Eigen::Vector3f f = p.cast<float>();
-    return may_be_inside_[grid_.cell(f.x(), f.y(), f.z())] != 0;
+    return cells_.may_be_inside(cells_.kind_at(f.x(), f.y(), f.z()), f.x(), f.y(), f.z());
   }
-  // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast where may_be_inside.
+  // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast near and inside the
+  // hull.
   ClosestPoint closest(const Vec3& p) const;
 
   // Appends those of n points (minus the hull's origin) in the region with a negative signed distance, in
@@ -58,19 +59,13 @@ class HullDistance {
                    std::vector<InsidePoint>& found) const;
 
   const TriangleSurface& surface() const { return surface_; }
-  const CellGrid& grid() const { return grid_; }
-  std::size_t bytes() const;  // held by all tables
+  const CellGrid& grid() const { return cells_.grid; }
+  std::size_t bytes() const { return surface_.bytes() + tree_.bytes() + cells_.bytes(); }
 
  private:
-  void classify_cells();
-  void classify_row(int iy, int iz, int& seed);
-
   TriangleSurface surface_;
   TriangleTree tree_;
-  CellGrid grid_;
-  // By cell number; entry 0, for points outside the grid, says outside.
-  std::vector<std::uint8_t> may_be_inside_;
-  std::vector<std::int32_t> seed_;  // slot of a near triangle
+  HullCells cells_;
 };
 
 }  // namespace icebow

@@ -74,45 +74,65 @@ double TriangleTree::squared_distance(const Box3f& box, const Vec3& p) {
   return sum;
 }
 
-void TriangleTree::visit(int first, int count, const Vec3& p, NearestTriangle& best) const {
-  for (int s = first; s < first + count; ++s) {
-    const TrianglePoint at = closest_on_triangle(leaves_[s].corners, p);
-    const double gain = best.at.squared_distance - at.squared_distance;
-    if (gain > 0.0 || (gain == 0.0 && leaves_[s].triangle < best.triangle))
-      best = {at, leaves_[s].triangle, s};
+NearestTriangle TriangleTree::no_triangle() {
+  NearestTriangle none;
+  none.at.squared_distance = std::numeric_limits<double>::infinity();
+  return none;
+}
+
+void TriangleTree::improve(int slot, const Vec3& p, NearestTriangle& best) const {
+  const TrianglePoint at = closest_on_triangle(leaves_[slot].corners, p);
+  const double gain = best.at.squared_distance - at.squared_distance;
+  if (gain > 0.0 || (gain == 0.0 && leaves_[slot].triangle < best.triangle))
+    best = {at, leaves_[slot].triangle, slot};
+}
+
+// Calls visit(slot) for the triangles of all leaves whose box may be nearer to p than sqrt(bound()), near
+// ones first.
+template <class Bound, class Visit>
+void TriangleTree::search(const Vec3& p, const Bound& bound, const Visit& visit) const {
+  struct Pending {
+    std::int32_t child, count;
+    double squared_distance;
+  };
+  if (nodes_.empty()) return;
+  // Halving keeps the tree shallower than 32 levels, and each level leaves at most one child pending.
+  std::array<Pending, 64> stack;
+  int pending = 0;
+  stack[pending++] = {0, size(), 0.0};
+  // Boxes exactly at the bound are opened, with room for rounding: ties go to the lowest number.
+  const auto worth_opening = [&](double box) { return box <= bound() * (1.0 + 1e-12); };
+  while (pending > 0) {
+    const Pending next = stack[--pending];
+    if (!worth_opening(next.squared_distance)) continue;
+    if (next.child < 0) {
+      for (int s = ~next.child; s < ~next.child + next.count; ++s) visit(s);
+      continue;
+    }
+    const Node& node = nodes_[next.child];
+    const double box[2] = {squared_distance(node.box[0], p), squared_distance(node.box[1], p)};
+    const int near = box[0] <= box[1] ? 0 : 1, far = 1 - near;
+    if (worth_opening(box[far])) stack[pending++] = {node.child[far], node.count[far], box[far]};
+    if (worth_opening(box[near])) stack[pending++] = {node.child[near], node.count[near], box[near]};
   }
 }
 
 NearestTriangle TriangleTree::closest(const Vec3& p, int seed_slot) const {
-  NearestTriangle best;
-  best.at.squared_distance = std::numeric_limits<double>::infinity();
-  if (nodes_.empty()) return best;
-  if (seed_slot >= 0) visit(seed_slot, 1, p, best);
-
-  struct Pending {
-    std::int32_t child, count;
-    double bound;
-  };
-  // Halving keeps the tree shallower than 32 levels, and each level leaves at most one child pending.
-  std::array<Pending, 64> stack;
-  int pending = 0;
-  stack[pending++] = {0, std::numeric_limits<std::int32_t>::max(), 0.0};
-  // Boxes as near as the best triangle are opened too, with room for rounding: ties go to the lowest number.
-  const auto worth_opening = [&](double bound) { return bound <= best.at.squared_distance * (1.0 + 1e-12); };
-  while (pending > 0) {
-    const Pending next = stack[--pending];
-    if (!worth_opening(next.bound)) continue;
-    if (next.child < 0) {
-      visit(~next.child, next.count, p, best);
-      continue;
-    }
-    const Node& node = nodes_[next.child];
-    const double bound[2] = {squared_distance(node.box[0], p), squared_distance(node.box[1], p)};
-    const int near = bound[0] <= bound[1] ? 0 : 1, far = 1 - near;
-    if (worth_opening(bound[far])) stack[pending++] = {node.child[far], node.count[far], bound[far]};
-    if (worth_opening(bound[near])) stack[pending++] = {node.child[near], node.count[near], bound[near]};
-  }
+  NearestTriangle best = no_triangle();
+  if (seed_slot >= 0) improve(seed_slot, p, best);
+  search(
+      p, [&] { return best.at.squared_distance; }, [&](int slot) { improve(slot, p, best); });
   return best;
+}
+
+void TriangleTree::within(const Vec3& p, double radius, std::vector<Near>& found) const {
+  found.clear();
+  search(
+      p, [&] { return radius * radius; },
+      [&](int slot) {
+        const double distance = std::sqrt(closest_on_triangle(leaves_[slot].corners, p).squared_distance);
+        if (distance <= radius) found.push_back({slot, distance});
+      });
 }
 
 }  // namespace icebow

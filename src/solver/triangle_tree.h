@@ -21,6 +21,18 @@ class TriangleTree {
 
   // Exact whatever the seed, the faster the nearer that triangle is to p. slot = -1: no seed.
   NearestTriangle closest(const Vec3& p, int seed_slot = -1) const;
+  // Lets the triangle of one slot compete. `best` may come from an earlier search for the same p, or be
+  // no_triangle().
+  void improve(int slot, const Vec3& p, NearestTriangle& best) const;
+  static NearestTriangle no_triangle();
+  // Slots of all triangles within the radius of p, and their distances (in no order); clears `found` first.
+  struct Near {
+    int slot;
+    double distance;
+  };
+  void within(const Vec3& p, double radius, std::vector<Near>& found) const;
+  int triangle(int slot) const { return leaves_[slot].triangle; }
+  int size() const { return static_cast<int>(leaves_.size()); }
   std::size_t bytes() const { return leaves_.size() * sizeof(Leaf) + nodes_.size() * sizeof(Node); }
 
  private:
@@ -41,7 +53,8 @@ class TriangleTree {
 
   Box3f box_of(int first, int count) const;
   int build(int first, int count);
-  void visit(int first, int count, const Vec3& p, NearestTriangle& best) const;
+  template <class Bound, class Visit>
+  void search(const Vec3& p, const Bound& bound, const Visit& visit) const;
   static double squared_distance(const Box3f& box, const Vec3& p);
 
   std::vector<Leaf> leaves_;
