@@ -37,15 +37,15 @@ std::string angle_rows(const BowAngles& asked, const Hull& hull) {
   const bool measured = hull.status != HullStatus::infeasible;
   std::vector<std::vector<std::string>> rows = {{"angle, deg", "requested", "measured"}};
   const auto add = [&](const char* name, double wanted, double found) {
-    rows.push_back({name, fixed(degrees(wanted), 3), measured ? fixed(degrees(found), 3) : "-"});
+    rows.push_back({name, decimals(degrees(wanted), 3), measured ? decimals(degrees(found), 3) : "-"});
   };
   add("stem", asked.stem, hull.measured.stem);
   add("waterline", asked.waterline, hull.measured.waterline);
   add("buttock", asked.buttock, hull.measured.buttock);
   add("flare", asked.flare, hull.measured.flare);
   if (measured) {
-    rows.push_back({"waterline at B/4", "", fixed(degrees(hull.waterline_at_quarter_beam), 3)});
-    rows.push_back({"flare at the stem", "", fixed(degrees(hull.flare_at_stem), 3)});
+    rows.push_back({"waterline at B/4", "", decimals(degrees(hull.waterline_at_quarter_beam), 3)});
+    rows.push_back({"flare at the stem", "", decimals(degrees(hull.flare_at_stem), 3)});
   }
   return text_table(rows);
 }
@@ -54,7 +54,7 @@ std::string margin_rows(const BowFeasibility& feasibility) {
   std::string text;
   for (const Margin& m : feasibility.margins) {
     const char* verdict = m.value >= 0.0 ? "  ok        " : m.required ? "  VIOLATED  " : "  (below 0) ";
-    text += m.name + verdict + fixed(m.value, 3) + "  " + m.sentence + "\n";
+    text += m.name + verdict + decimals(m.value, 3) + "  " + m.sentence + "\n";
   }
   return text;
 }
@@ -65,7 +65,7 @@ std::string mesh_row(const Json& mesh) {
   return "mesh: " + mesh.at("quads").dump() + " quads, " + mesh.at("points").dump() + " points, closed " +
          yes("closed") + ", outward " + yes("outward") + ", self-intersecting " + yes("self_intersecting") +
          ", volume " +
-         (mesh.at("volume_m3").is_number() ? fixed(mesh.at("volume_m3").get<double>(), 1) : "-") + " m3\n";
+         (mesh.at("volume_m3").is_number() ? decimals(mesh.at("volume_m3").get<double>(), 1) : "-") + " m3\n";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace icebow {
 namespace {
 
 std::string for_people(const std::string& design, const LindqvistInputs& in, const LindqvistResult& r) {
-  const auto kilonewtons = [](double newtons) { return fixed(newtons / 1e3, 1); };
+  const auto kilonewtons = [](double newtons) { return decimals(newtons / 1e3, 1); };
   std::string text = design + ": Lindqvist 1989, full scale, ice " + brief(in.h) + " m, " + brief(in.V) +
                      " m/s (" + brief(in.V / metres_per_second_per_knot) + " kn), flexural strength " +
                      brief(in.sigma_f / 1e3) + " kPa, friction " + brief(in.mu) + "\n\n";

@@ -32,7 +32,7 @@ EvaluateOptions options_for(const Arguments& arguments, const std::string& desig
 
 std::string kilonewtons(const Json& loads, const char* key) {
   const auto value = loads.find(key);
-  return value != loads.end() && value->is_number() ? fixed(value->get<double>() / 1e3, 1) : "-";
+  return value != loads.end() && value->is_number() ? decimals(value->get<double>() / 1e3, 1) : "-";
 }
 
 std::string for_people(const Evaluation& e, const std::string& directory) {

@@ -37,7 +37,7 @@ std::string label(const std::string& name) {
 }
 
 std::string percent(double fraction) {
-  return fixed(std::floor(100.0 * fraction), 0) + " %";
+  return decimals(std::floor(100.0 * fraction), 0) + " %";
 }
 
 std::string first_line(const std::string& text) {
@@ -52,7 +52,7 @@ std::string result_words(const Evaluation& e) {
        {std::pair{load, "mean load"}, std::pair{formula, "Lindqvist breaking"}}) {
     if (e.status != EvaluationStatus::ok || !e.result.contains(pointer) || !e.result.at(pointer).is_number())
       continue;
-    words += std::string(", ") + name + " " + fixed(e.result.at(pointer).get<double>() / 1e3, 1) + " kN";
+    words += std::string(", ") + name + " " + decimals(e.result.at(pointer).get<double>() / 1e3, 1) + " kN";
   }
   if (!e.reason.empty()) words += ": " + first_line(e.reason);
   return words;
@@ -95,7 +95,7 @@ void ProgressDisplay::on_finished(const Evaluation& e, bool recalled) {
   const std::string count = "[" + std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + "] ";
   const bool ok = e.status == EvaluationStatus::ok, failed = e.status == EvaluationStatus::failed;
   const std::string words = coloured(result_words(e), ok ? "32" : failed ? "31" : "33");
-  announce(count + e.name + "  " + words + (recalled ? "  (stored)" : "  " + clock(e.wall_seconds)));
+  announce(count + e.name + "  " + words + (recalled ? "  (stored)" : "  " + clock_time(e.wall_seconds)));
 }
 
 void ProgressDisplay::on_study_finished(const StudyOutcome&) {
@@ -135,14 +135,15 @@ void ProgressDisplay::draw_bars() {
   std::vector<std::string> lines;
   for (const auto& [name, running] : state_.running()) {
     lines.push_back(bar_line(name, running.fraction(),
-                             "eta " + clock(ProgressState::eta(running, now())) + "  " +
-                                 fixed(running.progress.advance, 2) + " m  " +
-                                 fixed(running.progress.load, 1) + " N"));
+                             "eta " + clock_time(ProgressState::eta(running, now())) + "  " +
+                                 decimals(running.progress.advance, 2) + " m  " +
+                                 decimals(running.progress.load, 1) + " N"));
   }
   if (state_.total() > 1) {
     const std::string count =
         std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + " designs";
-    lines.push_back(bar_line("study", state_.fraction(), "eta " + clock(state_.eta(now())) + "  " + count));
+    lines.push_back(
+        bar_line("study", state_.fraction(), "eta " + clock_time(state_.eta(now())) + "  " + count));
   }
   const int width = terminal_width(stream_) - 1;
   for (const std::string& line : lines) std::fprintf(stream_, "%s\n", cut(line, width).c_str());
@@ -157,10 +158,10 @@ void ProgressDisplay::erase_bars() {
 void ProgressDisplay::print_line() {
   std::string text = std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + " designs";
   for (const auto& [name, running] : state_.running()) {
-    text +=
-        ", " + name + " " + percent(running.fraction()) + " (" + fixed(running.progress.advance, 2) + " m)";
+    text += ", " + name + " " + percent(running.fraction()) + " (" + decimals(running.progress.advance, 2) +
+            " m)";
   }
-  std::fprintf(stream_, "%s, eta %s\n", text.c_str(), clock(state_.eta(now())).c_str());
+  std::fprintf(stream_, "%s, eta %s\n", text.c_str(), clock_time(state_.eta(now())).c_str());
 }
 
 }  // namespace icebow

@@ -12,7 +12,7 @@ namespace icebow {
 namespace {
 
 std::string kilonewtons(double newtons) {
-  return fixed(newtons / 1e3, 1);
+  return decimals(newtons / 1e3, 1);
 }
 
 std::string interval(const RankedDesign& row) {
@@ -50,7 +50,7 @@ std::string ranking_text(const Ranking& ranking) {
       continue;
     }
     rows.push_back({e.name, std::to_string(row.rank), interval(row), kilonewtons(row.lindqvist_breaking),
-                    fixed(row.ratio, 2), tie(row)});
+                    decimals(row.ratio, 2), tie(row)});
   }
   std::string text = "ranked by " + ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
                      text_table(rows);

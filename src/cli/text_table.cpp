@@ -43,7 +43,7 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-std::string clock(double seconds) {
+std::string clock_time(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0.0 || seconds > 3.6e9) return "--:--";
   const long s = std::lround(seconds);
   char text[32];
@@ -55,7 +55,7 @@ std::string clock(double seconds) {
   return text;
 }
 
-std::string fixed(double value, int digits) {
+std::string decimals(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   char text[352];
   std::snprintf(text, sizeof text, "%.*f", digits, value);

@@ -13,8 +13,8 @@ std::string cut(const std::string& text, int width);
 // First column to the left, the others to the right; the first row is the head.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 // "0:42", "1:02:03"; "--:--" where it is not finite.
-std::string clock(double seconds);
+std::string clock_time(double seconds);
 // With so many digits behind the point; "-" where it is not finite.
-std::string fixed(double value, int digits);
+std::string decimals(double value, int digits);
 
 }  // namespace icebow
