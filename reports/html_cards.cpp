@@ -82,8 +82,8 @@ std::string lindqvist_table(const Json& result, const RankedDesign& ranked, cons
   rows += row("Total resistance", {load(number_at(part, "/total_N"))}, "sum");
   rows += row("Measured mean / breaking", {fixed(ranked.ratio, 2)});
   const std::string caution = text_at(part, "/caution");
-  return table("Lindqvist's formula", {unit.name}, rows) +
-         (caution.empty() ? "" : "<p class=\"note\">" + html_escaped(caution) + "</p>\n");
+  return "<div>" + table("Lindqvist's formula", {unit.name}, rows) +
+         (caution.empty() ? "" : "<p class=\"note\">" + html_escaped(caution) + "</p>\n") + "</div>";
 }
 
 std::string margins_list(const Json& result) {

@@ -127,9 +127,12 @@ std::string table_row(const ReportContent& content, std::size_t i, const Range r
   return html + "</tr>\n";
 }
 
+// On paper the label stands in for the button, which browsers leave out where they repeat a heading on the
+// next page.
 std::string heading(const std::string& label, const std::string& unit, const char* css_class = "num") {
   return "<th scope=\"col\" class=\"" + std::string(css_class) +
-         "\"><button type=\"button\" class=\"sort\">" + label + "</button>" +
+         "\"><button type=\"button\" class=\"sort\">" + label +
+         "</button><span class=\"paper\" aria-hidden=\"true\">" + label + "</span>" +
          (unit.empty() ? "" : "<small>" + unit + "</small>") + "</th>";
 }
 

@@ -48,6 +48,6 @@ export function drawAngles(data, options) {
           ? [[panel.of(d), (d.mean_N - d.ci95_N) * scale, (d.mean_N + d.ci95_N) * scale]] : [])), encode: { x: 0, y: [1, 2] } },
         { type: "scatter", z: 3, data: designs.map((d) => ({ value: [panel.of(d), d.mean_N * scale], ...look(d, p) })) },
       ],
-    }, { ...options, share: 0.48, height: 230 });
+    }, { ...options, share: 0.48, height: options.paper ? 200 : 230 });
   });
 }

@@ -100,5 +100,5 @@ export function drawHistory(data, options) {
         dataBackground: { lineStyle: { color: p.muted }, areaStyle: { color: p.rule } }, labelFormatter: (v) => `${Math.round(v)} m` },
     ],
     series: lines,
-  }, { ...options, height: 400 });
+  }, { ...options, height: options.paper ? 300 : 400 });
 }

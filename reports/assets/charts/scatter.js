@@ -43,5 +43,5 @@ export function drawScatter(data, options) {
         data: designs.map((d) => labelled(d, p, scale)),
         label: { show: true, distance: 7, formatter: "{b}", color: p.ink, fontSize: 12, width: 130, overflow: "truncate", textBorderColor: p.paper, textBorderWidth: 3 } },
     ],
-  }, { ...options, height: Math.min(500, Math.max(340, 0.86 * element.clientWidth)) });
+  }, { ...options, height: options.paper ? 390 : Math.min(500, Math.max(340, 0.86 * element.clientWidth)) });
 }
