@@ -8,17 +8,37 @@ namespace {
 // The factors of a bond end depend on edges within `reach`, and the other end lies within `reach` again.
 constexpr int influence = 2 * reach;
 
-class WeightBuilder {
+class TableBuilder {
  public:
-  WeightBuilder(const Lattice& lattice, const Stencil& stencil, const Material& material,
-                const BondTableOptions& options)
+  TableBuilder(const Lattice& lattice, const Stencil& stencil, const Material& material,
+               const BondTableOptions& options)
       : lattice_(lattice), stencil_(stencil), m_(material), options_(options) {}
 
-  // Weights of the bond from particle (i, j, k) along the offset; zero where the neighbour does not exist.
-  void write(int i, int j, int k, const Offset& o, float* dilatation, float* pressure, float* distortion) {
-    *dilatation = *pressure = *distortion = 0.0f;
+  // Tables of the bonds of particles (i .. i + particles - 1, j, k): [slot][constant][particle].
+  std::vector<float> table(int i, int j, int k, int particles) {
+    std::vector<float> table;
+    for (const Offset& o : stencil_.half[k]) {
+      const std::size_t first = table.size();
+      table.resize(first + std::size_t(constants_per_slot) * particles);
+      for (int p = 0; p < particles; ++p) {
+        float values[constants_per_slot];
+        write(i + p, j, k, o, values);
+        for (int c = 0; c < constants_per_slot; ++c) table[first + c * particles + p] = values[c];
+      }
+    }
+    return table;
+  }
+
+ private:
+  // Weights are zero where the bond does not exist.
+  void write(int i, int j, int k, const Offset& o, float* out) {
+    out[xi_x] = static_cast<float>(o.di * lattice_.dx);
+    out[xi_y] = static_cast<float>(o.dj * lattice_.dx);
+    out[xi_z] = static_cast<float>(o.dk * lattice_.dx);
+    out[inverse_L2] = static_cast<float>(1.0 / (o.length * o.length));
+    out[dilatation_weight] = out[pressure_weight] = out[distortion_weight] = 0.0f;
     const int i2 = i + o.di, j2 = j + o.dj, k2 = k + o.dk;
-    if (i >= lattice_.nx || i2 < 0 || i2 >= lattice_.nx || j2 < 0 || j2 >= lattice_.ny) return;
+    if (i < 0 || i >= lattice_.nx || i2 < 0 || i2 >= lattice_.nx || j2 < 0 || j2 >= lattice_.ny) return;
     double G_d = 1.0, G_b = 1.0;
     if (options_.surface_correction) {
       const SurfaceFactors &g1 = factors(i, j, k), &g2 = factors(i2, j2, k2);
@@ -26,14 +46,13 @@ class WeightBuilder {
       G_b = bond_factor(g1.distortion, g2.distortion, o, lattice_.dx);
     }
     const double V = lattice_.particle_volume() * o.volume_factor;
-    *dilatation = static_cast<float>(m_.d * m_.delta * V * G_d);
+    out[dilatation_weight] = static_cast<float>(m_.d * m_.delta * V * G_d);
     // One 1/L belongs to the pressure term, the other to y/|y| = (xi + eta) R / L.
-    *pressure =
+    out[pressure_weight] =
         static_cast<float>(2.0 * m_.delta * m_.d * m_.a * G_d * V / (o.length * o.length * options_.rho));
-    *distortion = static_cast<float>(4.0 * m_.delta * m_.b * G_b * V / (o.length * options_.rho));
+    out[distortion_weight] = static_cast<float>(4.0 * m_.delta * m_.b * G_b * V / (o.length * options_.rho));
   }
 
- private:
   const SurfaceFactors& factors(int i, int j, int k) {
     const auto near = [](int distance) { return std::min(distance, reach); };
     const EdgeDistance where{near(i), near(lattice_.nx - 1 - i), near(j), near(lattice_.ny - 1 - j), k};
@@ -54,52 +73,33 @@ class WeightBuilder {
 
 BondTables::BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
                        const Material& material, const BondTableOptions& options)
-    : ny_(lattice.ny), j0_(layout.j0), slots_(lattice.nz) {
+    : ny_(lattice.ny), j0_(layout.j0), neighbour_(lattice.nz) {
   for (int k = 0; k < lattice.nz; ++k) {
-    for (const Offset& o : stencil.layer[k]) {
-      SlotGeometry g;
-      g.neighbour = (std::ptrdiff_t(o.dj) * layout.nz + o.dk) * layout.stride + o.di;
-      g.xi[0] = static_cast<float>(o.di * lattice.dx);
-      g.xi[1] = static_cast<float>(o.dj * lattice.dx);
-      g.xi[2] = static_cast<float>(o.dk * lattice.dx);
-      for (int c = 0; c < 3; ++c) g.two_xi[c] = 2.0f * g.xi[c];
-      g.inverse_L2 = static_cast<float>(1.0 / (o.length * o.length));
-      slots_[k].push_back(g);
+    for (const Offset& o : stencil.half[k]) {
+      neighbour_[k].push_back((std::ptrdiff_t(o.dj) * layout.nz + o.dk) * layout.stride + o.di);
     }
   }
 
-  WeightBuilder builder(lattice, stencil, material, options);
-  for (int jl = 0; jl < layout.columns; ++jl) {
+  TableBuilder builder(lattice, stencil, material, options);
+  const auto interior = [&](int first) {
+    return first >= influence && first + block - 1 <= lattice.nx - 1 - influence;
+  };
+  for (int jl = -reach; jl < layout.columns; ++jl) {
+    const int j = layout.j0 + jl;
+    if (j < 0) continue;
     for (int k = 0; k < lattice.nz; ++k) {
-      auto [entry, is_new] = weights_.try_emplace(row_class(jl, k));
+      auto [entry, is_new] = tables_.try_emplace(row_class(jl, k));
       if (!is_new) continue;
-      Weights& w = entry->second;
-      const std::vector<Offset>& offsets = stencil.layer[k];
-      const int j = layout.j0 + jl, n = static_cast<int>(offsets.size());
-      w.lanes.assign(layout.blocks, nullptr);
-      for (int b = 0; b < layout.blocks; ++b) {
-        const int first = layout.i0 + b * block, last = first + block - 1;
-        const bool interior = first >= influence && last <= lattice.nx - 1 - influence;
-        if (interior && !w.interior.empty()) continue;
-        if (interior) {
-          w.interior.resize(std::size_t(n) * weights_per_slot);
-          for (int s = 0; s < n; ++s) {
-            float* out = &w.interior[std::size_t(s) * weights_per_slot];
-            builder.write(first, j, k, offsets[s], out + dilatation_weight, out + pressure_weight,
-                          out + distortion_weight);
-          }
+      Tables& t = entry->second;
+      t.end_of.assign(layout.blocks + 2, nullptr);
+      for (int b = -1; b <= layout.blocks; ++b) {
+        const int first = layout.i0 + b * block;
+        if (interior(first)) {
+          if (t.interior.empty()) t.interior = builder.table(first, j, k, 1);
           continue;
         }
-        std::vector<float>& table = w.ends[b];
-        table.resize(std::size_t(n) * weights_per_slot * block);
-        for (int s = 0; s < n; ++s) {
-          float* out = &table[std::size_t(s) * weights_per_slot * block];
-          for (int l = 0; l < block; ++l) {
-            builder.write(first + l, j, k, offsets[s], out + dilatation_weight * block + l,
-                          out + pressure_weight * block + l, out + distortion_weight * block + l);
-          }
-        }
-        w.lanes[b] = table.data();
+        t.ends[b] = builder.table(first, j, k, block);
+        t.end_of[1 + b] = t.ends[b].data();
       }
     }
   }
@@ -111,8 +111,9 @@ BondTables::RowClass BondTables::row_class(int jl, int k) const {
 }
 
 RowTables BondTables::row(int jl, int k) const {
-  const Weights& w = weights_.at(row_class(jl, k));
-  return {slots_[k].data(), static_cast<int>(slots_[k].size()), w.interior.data(), w.lanes.data()};
+  const Tables& t = tables_.at(row_class(jl, k));
+  return {static_cast<int>(neighbour_[k].size()), neighbour_[k].data(), t.interior.data(),
+          t.end_of.data() + 1};
 }
 
 }  // namespace icebow

@@ -20,23 +20,23 @@ class BondTables {
   BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
              const BondTableOptions& options);
 
-  // Tables of row (jl, k), jl counted from the first owned column.
+  // Tables of row (jl, k), jl = -reach .. columns - 1 counted from the first owned column.
   RowTables row(int jl, int k) const;
 
  private:
   // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) share
   // tables.
   using RowClass = std::tuple<int, int, int>;  // distance to j = 0, to j = ny - 1, k
-  struct Weights {
+  struct Tables {
     std::vector<float> interior;
-    std::map<int, std::vector<float>> ends;  // by owned block
-    std::vector<const float*> lanes;         // what RowTables::lanes points at
+    std::map<int, std::vector<float>> ends;  // by block
+    std::vector<const float*> end_of;  // [1 + block], ghost blocks included: what RowTables::ends points at
   };
   RowClass row_class(int jl, int k) const;
 
   int ny_, j0_;
-  std::vector<std::vector<SlotGeometry>> slots_;  // [k][slot]
-  std::map<RowClass, Weights> weights_;
+  std::vector<std::vector<std::ptrdiff_t>> neighbour_;  // [k][slot]
+  std::map<RowClass, Tables> tables_;
 };
 
 }  // namespace icebow

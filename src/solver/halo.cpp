@@ -5,6 +5,7 @@
 namespace icebow {
 namespace {
 
+constexpr int depth_x = ghost_blocks * block;
 constexpr int to_lower = 71, to_upper = 72;  // tags: towards smaller or larger x (then y)
 
 }  // namespace
@@ -24,7 +25,7 @@ void Halo::copy_columns(const std::vector<float*>& fields, std::ptrdiff_t first,
     for (int jl = 0; jl < layout_.columns; ++jl) {
       for (int k = 0; k < layout_.nz; ++k) {
         float* column = field + layout_.row(jl, k) + first;
-        for (int c = 0; c < reach; ++c, ++n) {
+        for (int c = 0; c < depth_x; ++c, ++n) {
           if (pack) {
             buffer[n] = column[c];
           } else {
@@ -37,10 +38,10 @@ void Halo::copy_columns(const std::vector<float*>& fields, std::ptrdiff_t first,
 }
 
 void Halo::exchange_x(const std::vector<float*>& fields) {
-  const std::size_t n = fields.size() * layout_.columns * layout_.nz * reach;
+  const std::size_t n = fields.size() * layout_.columns * layout_.nz * depth_x;
   const std::ptrdiff_t width = std::ptrdiff_t(layout_.blocks) * block;
   const int neighbour[2] = {part_.west, part_.east};
-  const std::ptrdiff_t own[2] = {0, width - reach}, ghost[2] = {-reach, width};
+  const std::ptrdiff_t own[2] = {0, width - depth_x}, ghost[2] = {-depth_x, width};
   const MPI_Comm mpi = comm_.native()->comm;
   MPI_Request requests[4];
   int started = 0;
@@ -71,7 +72,7 @@ void Halo::exchange_y(const std::vector<float*>& fields) {
   const MPI_Comm mpi = comm_.native()->comm;
   std::vector<MPI_Request> requests;
   requests.reserve(4 * fields.size());
-  const auto start_of = [&](float* field, int jl) { return field + layout_.row(jl, 0) - block; };
+  const auto start_of = [&](float* field, int jl) { return field + layout_.row(jl, 0) - depth_x; };
   for (float* field : fields) {
     for (int side = 0; side < 2; ++side) {
       if (neighbour[side] < 0) continue;
@@ -95,7 +96,7 @@ std::size_t Halo::bytes_sent_per_field() const {
   const std::size_t x_sides = (part_.west >= 0) + (part_.east >= 0),
                     y_sides = (part_.south >= 0) + (part_.north >= 0);
   return sizeof(float) *
-         (x_sides * layout_.columns * layout_.nz * reach + y_sides * reach * layout_.nz * layout_.stride);
+         (x_sides * layout_.columns * layout_.nz * depth_x + y_sides * reach * layout_.nz * layout_.stride);
 }
 
 }  // namespace icebow

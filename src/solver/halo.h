@@ -1,4 +1,6 @@
-// Copies of the neighbouring ranks' edge columns, `reach` deep on every side, corners included.
+// Copies of the neighbouring ranks' edges, corners included: `reach` columns along y, two blocks along x. The
+// wider copy along x lets a rank follow the bonds of the neighbour's whole edge block, block by block as
+// their owner does.
 #pragma once
 
 #include <vector>

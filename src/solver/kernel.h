@@ -1,9 +1,9 @@
 // The two bond passes and the time integration over rows of the lattice, in SIMD.
 //
 // One source (kernel_impl.h) is compiled for several vector widths; kernels() picks the widest this processor
-// has. Every particle, at any edge of any rank, takes the same arithmetic in the same order of offsets, and
-// the bond (k, j) gives bitwise the negative of (j, k): results do not depend on the number of ranks, and a
-// bond breaks at both ends in the same step.
+// has. Each bond is computed once, by the row of its lower end, which adds the reaction to the neighbour's
+// row. Rows are taken in the order of (j, k) and blocks from low to high x, the copies of neighbouring ranks'
+// columns and blocks included, so every sum has the same terms in the same order on any number of ranks.
 //
 // Law of a bond (docs/theory.md, eq. 10-12), with q = 2 xi.eta + eta.eta and e = q / L^2:
 //   stretch s = sqrt(1 + e) - 1 = e G(e),  1/|y| = R(e) / L,  s/|y| = e H(e) / L
@@ -37,35 +37,38 @@ struct BondLaw {
 // Fits G, R, H; relative error below 2e-6 (tests/solver/kernel_test.cpp).
 BondLaw make_bond_law(double critical_stretch);
 
-// Constants of one slot of a layer.
-struct SlotGeometry {
-  std::ptrdiff_t neighbour;  // floats from a particle to its neighbour
-  float xi[3], two_xi[3];    //!< reference bond, and twice it [m]
-  float inverse_L2;          //!< 1/L^2 [1/m^2]
+// Constants of a slot:
+//   theta += dilatation * s; acceleration += (pressure (theta_k + theta_j) + distortion s) y/|y|
+// with 1/L taken out of y/|y|. The weights hold volume and surface corrections, the bond constants and the
+// density.
+enum SlotConstant {
+  xi_x,  //!< reference bond [m]
+  xi_y,
+  xi_z,
+  inverse_L2,  //!< 1/L^2 [1/m^2]
+  dilatation_weight,
+  pressure_weight,
+  distortion_weight,
+  constants_per_slot
 };
 
-// Weights of a slot: theta += dilatation * s; acceleration += (pressure (theta_k + theta_j) + distortion s)
-// y/|y| with 1/L taken out of y/|y|. They hold volume and surface corrections, the bond constants and the
-// density.
-enum Weight { dilatation_weight, pressure_weight, distortion_weight, weights_per_slot };
-
-// A row's view of its tables. Interior blocks have one weight per slot, blocks near the ends of the sheet one
-// per lane.
+// A row's view of its tables. Interior blocks share one; a block near the ends of the sheet has constants for
+// each of its particles.
 struct RowTables {
-  const SlotGeometry* slots;
   int n_slots;
-  const float* interior;      // [slot][weight]
-  const float* const* lanes;  // [block]: [slot][weight][16], or nullptr where the block is interior
+  const std::ptrdiff_t* neighbour;  // [slot]: floats from a particle to its neighbour
+  const float* interior;            // [slot][constant]
+  const float* const* ends;         // [block]: [slot][constant][16], or nullptr where the block is interior
 };
 
 struct RowFields {
-  const float* u[3];      // displacement [m], at the row's first owned particle
-  float* v[3];            // velocity [m/s]
-  float* theta;           // dilatation
-  std::uint16_t* bits;    // [block][column slot]: alive bonds of 16 particles
-  int bits_per_block;     // column slots
-  std::uint8_t* touched;  // [block]: some bond of the block is broken or missing
-  int blocks;
+  const float* u[3];            // displacement [m], at the row's first owned particle
+  float* acceleration[3];       // from bonds [m/s^2]
+  float* theta;                 // dilatation
+  std::uint16_t* bits;          // [block][column slot]: alive bonds of 16 particles
+  int bits_per_block;           // column slots
+  std::uint8_t* touched;        // [block]: some bond of the block is broken, missing or strongly stretched
+  int first_block, last_block;  // blocks [first_block, last_block), -1 and `blocks` being ghosts
 };
 
 // Weight, buoyancy and box test of the drift.
@@ -81,6 +84,8 @@ struct DriftRow {
   float* u[3];
   float* v[3];
   float* residual[3];       // of the compensated sum of u
+  float* acceleration[3];   // from bonds; used up: zero afterwards
+  float* theta;             // zero afterwards, for the next dilatation pass
   const float* x;           // reference x of each particle [m]
   const float* mobile;      // 1, or 0 for particles that are held or do not exist
   float y, z;               // reference y, z of the row [m]
@@ -91,11 +96,12 @@ struct DriftRow {
 struct Kernels {
   const char* name;  // "avx512", "avx2", "baseline"
   int lanes;
-  // theta of a row; breaks bonds first and returns how many (each end counts its own).
-  int (*dilatation)(const RowFields&, const RowTables&, const BondLaw&);
-  // v += dt * acceleration from the bonds.
-  void (*force)(const RowFields&, const RowTables&, const BondLaw&, float dt);
-  // v += dt * (weight and lift); u += dt v.
+  // For the nz rows of a column. Adds their bonds to theta of both ends; breaks bonds first and returns how
+  // many of owned blocks' broke.
+  int (*dilatation)(const RowFields*, const RowTables*, int nz, const BondLaw&, int owned_blocks);
+  // Adds their bonds to the acceleration of both ends.
+  void (*force)(const RowFields*, const RowTables*, int nz, const BondLaw&);
+  // v += dt * (bonds + weight and lift); u += dt v.
   void (*drift)(const DriftRow&, const DriftSettings&);
 };
 

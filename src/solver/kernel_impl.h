@@ -61,34 +61,49 @@ inline bool any(VecI mask) {
   return all != 0;
 }
 
+// A fit with its coefficients repeated for all lanes.
 template <int n>
-inline VecF polynomial(const float (&c)[n], VecF e) {
-  VecF p = splat(c[n - 1]);
-  for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
-  return p;
-}
-
-struct Bond {
-  VecF eta[3];
-  VecF e;  // q / L^2
+struct Polynomial {
+  explicit Polynomial(const float (&coefficients)[n]) {
+    for (int power = 0; power < n; ++power) c[power] = splat(coefficients[power]);
+  }
+  VecF operator()(VecF e) const {
+    VecF p = c[n - 1];
+    for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
+    return p;
+  }
+  VecF c[n];
 };
 
-inline Bond bond(const float* const* u, const VecF* centre, const SlotGeometry& slot) {
+// A constant of a slot: one for all lanes in the interior, one for each near the ends of the sheet.
+template <bool per_lane>
+inline VecF constant(const float* slot, int which) {
+  if constexpr (per_lane) return load(slot + which * block);
+  return splat(slot[which]);
+}
+template <bool per_lane>
+constexpr int slot_size = constants_per_slot*(per_lane ? block : 1);
+
+// A bond seen from its higher end: minus eta, minus y, and e = q / L^2 with q = eta . (eta + 2 xi) = n . (n -
+// 2 xi).
+struct Bond {
+  VecF minus_y[3];
+  VecF e;
+};
+
+template <bool per_lane>
+inline Bond bond(const float* u0, const float* u1, const float* u2, const VecF* centre, const float* slot) {
+  const float* u[3] = {u0, u1, u2};
   Bond b;
   VecF q = {};
   for (int c = 0; c < 3; ++c) {
-    b.eta[c] = load(u[c] + slot.neighbour) - centre[c];
-    q += (b.eta[c] + slot.two_xi[c]) * b.eta[c];
+    const VecF xi = constant<per_lane>(slot, c);
+    const VecF minus_eta = centre[c] - load(u[c]);
+    b.minus_y[c] = minus_eta - xi;
+    q += minus_eta * (b.minus_y[c] - xi);
   }
-  b.e = q * slot.inverse_L2;
+  b.e = q * constant<per_lane>(slot, inverse_L2);
   return b;
-}
-
-// A weight of a slot: one for all lanes in the interior, one per lane near the ends of the sheet.
-template <bool per_lane>
-inline VecF weight(const float* table, int slot, Weight w, int lane0) {
-  if constexpr (per_lane) return load(table + (slot * weights_per_slot + w) * block + lane0);
-  return splat(table[slot * weights_per_slot + w]);
 }
 
 // Bits of `lanes` particles within a 16-bit word.
@@ -111,30 +126,41 @@ inline VecF fit_argument(VecF e, const BondLaw& law) {
   return max(e, splat(law.e_min));
 }
 
-// theta of one block. Intact blocks skip the bits; returns false where a bond of an intact block leaves the
-// range of the short fits (or wants to break): the caller marks the block as touched and comes again.
+// theta of a block's bonds. An intact block does not look at the bits; where a bond leaves the range of the
+// short fits or wants to break, the block is marked as touched, and the bond breaks in the next step if it
+// still wants to.
 template <bool intact, bool per_lane>
-bool dilatation_block(const RowFields& f, const RowTables& t, const float* table, const BondLaw& law, int b,
-                      int& broken) {
+int dilatation_block(const RowFields& f, const RowTables& t, const BondLaw& law, int b) {
   const VecI bits = lane_bits();
-  const auto& fits = fits_of<intact>(law);
+  const Polynomial G(fits_of<intact>(law).G);
+  const int n_slots = t.n_slots;
+  const std::ptrdiff_t* const neighbour = t.neighbour;
+  std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
+  const VecF e_break = splat(law.e_break);
+  VecF e_max = {}, e_min = {};
+  int broken = 0;
   for (int lane0 = 0; lane0 < block; lane0 += lanes) {
-    const int x = b * block + lane0;
-    const float* u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
-    const VecF centre[3] = {load(u[0]), load(u[1]), load(u[2])};
-    std::uint16_t* words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-    VecF theta = {}, e_max = {}, e_min = {};
-    for (int s = 0; s < t.n_slots; ++s) {
-      const Bond bd = bond(u, centre, t.slots[s]);
-      VecF term = weight<per_lane>(table, s, dilatation_weight, lane0) *
-                  (bd.e * polynomial(fits.G, fit_argument<intact>(bd.e, law)));
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    const float *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
+    const VecF centre[3] = {load(u0), load(u1), load(u2)};
+    float* const theta = f.theta + x;
+    const float* slot = per_lane ? t.ends[b] + lane0 : t.interior;
+    VecF own = {};
+    for (int s = 0; s < n_slots; ++s, slot += slot_size<per_lane>) {
+      unsigned alive = 0;
+      if constexpr (!intact) {
+        alive = part_of(words[s], lane0);
+        if (!alive) continue;
+      }
+      const std::ptrdiff_t n = neighbour[s];
+      const Bond bd = bond<per_lane>(u0 + n, u1 + n, u2 + n, centre, slot);
+      VecF term = constant<per_lane>(slot, dilatation_weight) * (bd.e * G(fit_argument<intact>(bd.e, law)));
       if constexpr (intact) {
         e_max = max(e_max, bd.e);
         e_min = min(e_min, bd.e);
       } else {
-        const unsigned alive = part_of(words[s], lane0);
         const VecI mask = expand(alive, bits);
-        const VecI breaks = mask & (bd.e > law.e_break);
+        const VecI breaks = mask & (bd.e > e_break);
         if (__builtin_expect(any(breaks), 0)) {
           const unsigned gone = compress(breaks, bits);
           words[s] = static_cast<std::uint16_t>(words[s] & ~(gone << lane0));
@@ -142,65 +168,84 @@ bool dilatation_block(const RowFields& f, const RowTables& t, const float* table
         }
         term = keep(term, mask & ~breaks);
       }
-      theta += term;
+      own += term;
+      store(theta + n, load(theta + n) + term);
     }
-    if (intact && any((e_max > law.e_small) | (e_min < -law.e_small))) return false;
-    store(f.theta + x, theta);
+    store(theta, load(theta) + own);
   }
-  return true;
+  if (intact && any((e_max > law.e_small) | (e_min < -law.e_small))) f.touched[b] = 1;
+  return broken;
 }
 
-int dilatation(const RowFields& f, const RowTables& t, const BondLaw& law) {
+int dilatation(const RowFields* rows, const RowTables* tables, int nz, const BondLaw& law, int owned_blocks) {
   int broken = 0;
-  for (int b = 0; b < f.blocks; ++b) {
-    const float* per_lane = t.lanes[b];
-    if (per_lane) {
-      dilatation_block<false, true>(f, t, per_lane, law, b, broken);
-      continue;
+  for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
+    int in_block = 0;
+    for (int k = 0; k < nz; ++k) {
+      const RowFields& f = rows[k];
+      const RowTables& t = tables[k];
+      if (t.ends[b]) {
+        in_block += dilatation_block<false, true>(f, t, law, b);
+      } else if (f.touched[b]) {
+        in_block += dilatation_block<false, false>(f, t, law, b);
+      } else {
+        dilatation_block<true, false>(f, t, law, b);
+      }
     }
-    if (!f.touched[b]) {
-      if (dilatation_block<true, false>(f, t, t.interior, law, b, broken)) continue;
-      f.touched[b] = 1;
-    }
-    dilatation_block<false, false>(f, t, t.interior, law, b, broken);
+    if (b >= 0 && b < owned_blocks) broken += in_block;
   }
   return broken;
 }
 
 template <bool intact, bool per_lane>
-void force_block(const RowFields& f, const RowTables& t, const float* table, const BondLaw& law, float dt,
-                 int b) {
+void force_block(const RowFields& f, const RowTables& t, const BondLaw& law, int b) {
   const VecI bits = lane_bits();
-  const auto& fits = fits_of<intact>(law);
+  const Polynomial R(fits_of<intact>(law).R), H(fits_of<intact>(law).H);
+  const int n_slots = t.n_slots;
+  const std::ptrdiff_t* const neighbour = t.neighbour;
+  const std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
   for (int lane0 = 0; lane0 < block; lane0 += lanes) {
-    const int x = b * block + lane0;
-    const float* u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
-    const VecF centre[3] = {load(u[0]), load(u[1]), load(u[2])};
-    const VecF theta = load(f.theta + x);
-    const std::uint16_t* words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-    VecF acceleration[3] = {};
-    for (int s = 0; s < t.n_slots; ++s) {
-      const SlotGeometry& slot = t.slots[s];
-      const Bond bd = bond(u, centre, slot);
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    const float *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
+    const float* const theta = f.theta + x;
+    float* const a[3] = {f.acceleration[0] + x, f.acceleration[1] + x, f.acceleration[2] + x};
+    const VecF centre[3] = {load(u0), load(u1), load(u2)};
+    const VecF own_theta = load(theta);
+    const float* slot = per_lane ? t.ends[b] + lane0 : t.interior;
+    VecF own[3] = {};
+    for (int s = 0; s < n_slots; ++s, slot += slot_size<per_lane>) {
+      unsigned alive = 0;
+      if constexpr (!intact) {
+        alive = part_of(words[s], lane0);
+        if (!alive) continue;
+      }
+      const std::ptrdiff_t n = neighbour[s];
+      const Bond bd = bond<per_lane>(u0 + n, u1 + n, u2 + n, centre, slot);
       const VecF e = fit_argument<intact>(bd.e, law);
-      const VecF theta_pair = theta + load(f.theta + x + slot.neighbour);
-      VecF scale = weight<per_lane>(table, s, pressure_weight, lane0) * theta_pair * polynomial(fits.R, e) +
-                   weight<per_lane>(table, s, distortion_weight, lane0) * (bd.e * polynomial(fits.H, e));
-      if constexpr (!intact) scale = keep(scale, expand(part_of(words[s], lane0), bits));
-      for (int c = 0; c < 3; ++c) acceleration[c] += scale * (bd.eta[c] + slot.xi[c]);
+      const VecF pressure = constant<per_lane>(slot, pressure_weight) * (own_theta + load(theta + n));
+      VecF scale = pressure * R(e) + constant<per_lane>(slot, distortion_weight) * (bd.e * H(e));
+      if constexpr (!intact) scale = keep(scale, expand(alive, bits));
+      for (int c = 0; c < 3; ++c) {
+        own[c] -= scale * bd.minus_y[c];
+        store(a[c] + n, load(a[c] + n) + scale * bd.minus_y[c]);
+      }
     }
-    for (int c = 0; c < 3; ++c) store(f.v[c] + x, load(f.v[c] + x) + dt * acceleration[c]);
+    for (int c = 0; c < 3; ++c) store(a[c], load(a[c]) + own[c]);
   }
 }
 
-void force(const RowFields& f, const RowTables& t, const BondLaw& law, float dt) {
-  for (int b = 0; b < f.blocks; ++b) {
-    if (t.lanes[b]) {
-      force_block<false, true>(f, t, t.lanes[b], law, dt, b);
-    } else if (f.touched[b]) {
-      force_block<false, false>(f, t, t.interior, law, dt, b);
-    } else {
-      force_block<true, false>(f, t, t.interior, law, dt, b);
+void force(const RowFields* rows, const RowTables* tables, int nz, const BondLaw& law) {
+  for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
+    for (int k = 0; k < nz; ++k) {
+      const RowFields& f = rows[k];
+      const RowTables& t = tables[k];
+      if (t.ends[b]) {
+        force_block<false, true>(f, t, law, b);
+      } else if (f.touched[b]) {
+        force_block<false, false>(f, t, law, b);
+      } else {
+        force_block<true, false>(f, t, law, b);
+      }
     }
   }
 }
@@ -212,11 +257,15 @@ void drift(const DriftRow& r, const DriftSettings& d) {
       const VecF mobile = load(r.mobile + x);
       const VecF depth = (-(load(r.u[2] + x) + r.z)) * d.inverse_dx + 0.5f;
       const VecF submerged = min(max(depth, VecF{}), splat(1.0f));
-      store(r.v[2] + x, load(r.v[2] + x) + d.dt * (d.lift * submerged - d.gravity));
+      const VecF weight_and_lift = d.lift * submerged - d.gravity;
+      store(r.theta + x, VecF{});
       const VecF reference[3] = {load(r.x + x), splat(r.y), splat(r.z)};
       VecI in_box = (VecI)(mobile != 0.0f);
       for (int c = 0; c < 3; ++c) {
-        const VecF v = load(r.v[c] + x) * mobile;
+        VecF a = load(r.acceleration[c] + x);
+        if (c == 2) a += weight_and_lift;
+        store(r.acceleration[c] + x, VecF{});
+        const VecF v = (load(r.v[c] + x) + d.dt * a) * mobile;
         store(r.v[c] + x, v);
         // Neumaier-style compensated sum: steps of 1e-5 m on displacements of a metre.
         const VecF u = load(r.u[c] + x);

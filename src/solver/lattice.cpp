@@ -15,10 +15,11 @@ int share(int n, int parts, int p) {
   return static_cast<int>(std::int64_t(n) * p / parts);
 }
 
-// Particles one rank sends in an exchange on a px x py grid: what the choice of grid minimises.
+// Columns (y) or rows of particles (x) that one rank copies from its neighbours and computes again, on a px x
+// py grid: what the choice of grid minimises.
 double halo_size(const Lattice& lattice, int px, int py) {
-  const double across = px > 1 ? 2.0 * lattice.ny / py : 0.0;
-  const double along = py > 1 ? 2.0 * lattice.nx / px : 0.0;
+  const double across = px > 1 ? 2.0 * ghost_blocks * block * lattice.ny / py : 0.0;
+  const double along = py > 1 ? 2.0 * reach * lattice.nx / px : 0.0;
   return across + along;
 }
 
@@ -39,13 +40,14 @@ Lattice make_lattice(const Scenario& s) {
   return lattice;
 }
 
-Partition make_partition(const Lattice& lattice, int rank, int ranks) {
+Partition make_partition(const Lattice& lattice, int rank, int ranks, int along_x) {
   Partition best;
   double best_halo = std::numeric_limits<double>::infinity();
   for (int px = 1; px <= ranks; ++px) {
-    if (ranks % px) continue;
+    if (ranks % px || (along_x && px != along_x)) continue;
     const int py = ranks / px;
-    if (lattice.blocks() < px || lattice.ny < reach * py) continue;
+    if (px > 1 && lattice.blocks() < ghost_blocks * px) continue;
+    if (lattice.ny < reach * py) continue;
     const double halo = halo_size(lattice, px, py);
     if (halo < best_halo) {
       best_halo = halo;
@@ -56,7 +58,7 @@ Partition make_partition(const Lattice& lattice, int rank, int ranks) {
   if (!std::isfinite(best_halo)) {
     throw InputError("a sheet of " + std::to_string(lattice.nx) + " x " + std::to_string(lattice.ny) +
                      " particles cannot be shared by " + std::to_string(ranks) +
-                     " ranks: use fewer (each needs 16 particles along x and 3 across)");
+                     " ranks: use fewer (each needs 32 particles along x and 3 across)");
   }
   const int cx = rank % best.px, cy = rank / best.px;
   best.block0 = share(lattice.blocks(), best.px, cx);
@@ -76,7 +78,7 @@ Layout::Layout(const Lattice& lattice, const Partition& part)
       columns(part.j1 - part.j0),
       i0(part.block0 * block),
       j0(part.j0),
-      stride(std::ptrdiff_t(blocks + 2) * block),
+      stride(std::ptrdiff_t(blocks + 2 * ghost_blocks) * block),
       size(std::size_t(columns + 2 * reach) * nz * stride) {}
 
 }  // namespace icebow

@@ -14,7 +14,9 @@
 namespace icebow {
 
 constexpr int block = 16;  // particles of a row that share a word of bond bits
-constexpr int reach = 3;   // horizon / dx, rounded down: how many neighbours a row sees on each side
+constexpr int ghost_blocks =
+    2;  // copies of a neighbouring rank's particles at each end of a row: a block and its reach
+constexpr int reach = 3;  // horizon / dx, rounded down: how many neighbours a row sees on each side
 
 struct Lattice {
   int nx = 0, ny = 0, nz = 0;
@@ -43,9 +45,9 @@ struct Partition {
   int west = -1, east = -1, south = -1, north = -1;  // ranks at -x, +x, -y, +y; -1 = none
 };
 
-// Chooses the rank grid with the smallest halo. Throws InputError where the sheet is too small for so many
-// ranks.
-Partition make_partition(const Lattice& lattice, int rank, int ranks);
+// Chooses the rank grid with the smallest halo, or with `along_x` ranks along x where that is not 0. Throws
+// InputError where the sheet is too small for so many ranks.
+Partition make_partition(const Lattice& lattice, int rank, int ranks, int along_x = 0);
 
 // Addresses of one rank's padded rows.
 struct Layout {
@@ -59,7 +61,9 @@ struct Layout {
   std::size_t size;       // floats in one field, ghosts included
 
   // First owned particle of a row; jl = -reach .. columns + reach - 1 counts from the first owned column.
-  std::size_t row(int jl, int k) const { return (std::size_t(jl + reach) * nz + k) * stride + block; }
+  std::size_t row(int jl, int k) const {
+    return (std::size_t(jl + reach) * nz + k) * stride + ghost_blocks * block;
+  }
 };
 
 }  // namespace icebow

@@ -58,7 +58,7 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
   ExactImpulse impulse = stepper.take_impulse();
   std::int64_t totals[9];
   std::copy(impulse.counts().begin(), impulse.counts().end(), totals);
-  totals[6] = stepper.broken_bond_ends();
+  totals[6] = stepper.broken_bonds();
   totals[7] = stepper.contacts();
   totals[8] = m.energy_quanta;
   comm_.sum(totals, 9);
@@ -70,7 +70,7 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
     row.F[c] = totals[c] * impulse.linear() / history_.interval;
     row.M[c] = totals[c + 3] * impulse.angular() / history_.interval;
   }
-  row.broken_bonds = totals[6] / 2;
+  row.broken_bonds = totals[6];
   row.contacts = totals[7];
   row.kinetic_energy = totals[8] * energy_quantum_;
   history_.rows.push_back(row);

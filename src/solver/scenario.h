@@ -40,6 +40,7 @@ struct Numerics {
   double dt_fraction = 0.8;
   bool surface_correction = true;
   ContactRule contact = ContactRule::relocation;
+  int ranks_along_x = 0;  // MPI ranks along the ship's course; 0 = the smallest halo decides
   double friction = 0.0;  //!< hull-ice Coulomb coefficient
 };
 

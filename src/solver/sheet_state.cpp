@@ -56,7 +56,18 @@ class UnionFind {
 class Unpacker {
  public:
   Unpacker(const Lattice& lattice, const Stencil& stencil, SheetState& state, UnionFind& pieces)
-      : lattice_(lattice), stencil_(stencil), state_(state), pieces_(pieces) {}
+      : lattice_(lattice),
+        stencil_(stencil),
+        state_(state),
+        pieces_(pieces),
+        initial_(lattice.particles()),
+        broken_(lattice.particles()) {}
+
+  void write_damage() {
+    for (std::size_t id = 0; id < broken_.size(); ++id) {
+      state_.damage[id] = initial_[id] ? float(broken_[id]) / float(initial_[id]) : 0.0f;
+    }
+  }
 
   void read(const std::vector<char>& bytes) {
     const char* p = bytes.data();
@@ -95,26 +106,30 @@ class Unpacker {
     }
   }
 
+  // The bonds of (i, j, k) to higher ends count for both.
   void read_family(int i, int j, int k, const std::uint16_t* words, int lane) {
-    const std::vector<Offset>& offsets = stencil_.layer[k];
+    const std::vector<Offset>& offsets = stencil_.half[k];
     const std::int64_t id = lattice_.id(i, j, k);
-    int initial = 0, alive = 0;
     for (std::size_t s = 0; s < offsets.size(); ++s) {
       const int i2 = i + offsets[s].di, j2 = j + offsets[s].dj;
       if (i2 < 0 || i2 >= lattice_.nx || j2 < 0 || j2 >= lattice_.ny) continue;
-      ++initial;
-      if (!(words[s] >> lane & 1)) continue;
-      ++alive;
       const std::int64_t other = lattice_.id(i2, j2, k + offsets[s].dk);
-      if (other > id) pieces_.join(static_cast<std::int32_t>(id), static_cast<std::int32_t>(other));
+      ++initial_[id];
+      ++initial_[other];
+      if (words[s] >> lane & 1) {
+        pieces_.join(static_cast<std::int32_t>(id), static_cast<std::int32_t>(other));
+      } else {
+        ++broken_[id];
+        ++broken_[other];
+      }
     }
-    state_.damage[id] = initial ? 1.0f - float(alive) / float(initial) : 0.0f;
   }
 
   const Lattice& lattice_;
   const Stencil& stencil_;
   SheetState& state_;
   UnionFind& pieces_;
+  std::vector<std::uint8_t> initial_, broken_;  // bonds of each particle
 };
 
 // Pieces tied to a held edge stand (the largest one where nothing is held); floes are at least (2h)^2 h.
@@ -176,6 +191,7 @@ SheetState gather_state(const Communicator& comm, const IceSheet& sheet) {
   UnionFind set(n);
   Unpacker unpacker(sheet.lattice, sheet.stencil, state, set);
   for (const std::vector<char>& bytes : parts) unpacker.read(bytes);
+  unpacker.write_damage();
   number_pieces(sheet, set, state);
   return state;
 }

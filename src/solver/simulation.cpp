@@ -102,9 +102,9 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   }
   metrics.resistance = series_statistics(resistance);
   metrics.vertical = series_statistics(vertical);
-  std::int64_t bonds = stepper.sheet().bits.count() + stepper.broken_bond_ends();
+  std::int64_t bonds = stepper.sheet().bits.count() + stepper.broken_bonds();
   comm.sum(&bonds, 1);
-  metrics.bonds = bonds / 2;
+  metrics.bonds = bonds;
   metrics.broken_bonds = history.rows.empty() ? 0 : history.rows.back().broken_bonds;
 
   const SheetState state = gather_state(comm, stepper.sheet());
@@ -130,7 +130,7 @@ class Loop {
     result_.s0 = stepper.material().s0;
     std::int64_t bonds = stepper.sheet().bits.count();
     comm_.sum(&bonds, 1);
-    result_.directed_bonds = bonds;
+    result_.directed_bonds = 2 * bonds;
     result_.status = RunStatus::ok;
 
     start_ = last_report_ = Clock::now();

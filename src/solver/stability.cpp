@@ -17,7 +17,7 @@ constexpr int lanczos_steps = 60;
 class SmallSheet {
  public:
   SmallSheet(const Stencil& stencil, const Material& m, double dx, double rho, bool surface_correction) {
-    const int nz = static_cast<int>(stencil.layer.size());
+    const int nz = static_cast<int>(stencil.family.size());
     n_ = side * side * nz;
     const double V = dx * dx * dx;
     const auto id = [&](int i, int j, int k) { return (j * nz + k) * side + i; };
@@ -34,7 +34,7 @@ class SmallSheet {
     for (int j = 0; j < side; ++j) {
       for (int k = 0; k < nz; ++k) {
         for (int i = 0; i < side; ++i) {
-          for (const Offset& o : stencil.layer[k]) {
+          for (const Offset& o : stencil.family[k]) {
             const int i2 = i + o.di, j2 = j + o.dj;
             if (i2 < 0 || i2 >= side || j2 < 0 || j2 >= side) continue;
             Bond b;

@@ -29,22 +29,24 @@ Stencil make_stencil(int nz, double dx, double horizon) {
   stencil.first_slot.push_back(0);
   const double ratio = horizon / dx;
   for (int k = 0; k < nz; ++k) {
-    std::vector<Offset> list;
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int dk = -reach; dk <= reach; ++dk) {
-        for (int di = -reach; di <= reach; ++di) {
+    std::vector<Offset> family, half;
+    for (int di = -reach; di <= reach; ++di) {
+      for (int dj = -reach; dj <= reach; ++dj) {
+        for (int dk = -reach; dk <= reach; ++dk) {
           const int squared = di * di + dj * dj + dk * dk;
           // |xi| <= horizon, decided on whole numbers so that rounding cannot drop the bonds at exactly 3 dx.
           if (squared == 0 || squared > ratio * ratio * (1.0 + 1e-9)) continue;
           if (k + dk < 0 || k + dk >= nz) continue;
           Offset o{di, dj, dk, dx * std::sqrt(double(squared)), 1.0};
           if (o.length > horizon - 0.5 * dx) o.volume_factor = (horizon + 0.5 * dx - o.length) / dx;
-          list.push_back(o);
+          family.push_back(o);
+          if (dj > 0 || (dj == 0 && (dk > 0 || (dk == 0 && di > 0)))) half.push_back(o);
         }
       }
     }
-    stencil.first_slot.push_back(stencil.first_slot.back() + static_cast<int>(list.size()));
-    stencil.layer.push_back(std::move(list));
+    stencil.first_slot.push_back(stencil.first_slot.back() + static_cast<int>(half.size()));
+    stencil.family.push_back(std::move(family));
+    stencil.half.push_back(std::move(half));
   }
   return stencil;
 }
@@ -53,7 +55,7 @@ SurfaceFactors surface_factors(const EdgeDistance& where, const Stencil& stencil
                                double dx) {
   const double V = dx * dx * dx;
   std::array<double, 3> theta{}, energy{};  // per unit stretch along each axis
-  for (const Offset& o : stencil.layer[where.k]) {
+  for (const Offset& o : stencil.family[where.k]) {
     if (-o.di > where.x_lo || o.di > where.x_hi || -o.dj > where.y_lo || o.dj > where.y_hi) continue;
     const double xi[3] = {o.di * dx, o.dj * dx, o.dk * dx};
     for (int c = 0; c < 3; ++c) {

@@ -35,13 +35,16 @@ struct Offset {
   double volume_factor = 0.0;  // nu: part of the neighbour's volume inside the horizon
 };
 
-// Layer k sees the offsets with 0 <= k + dk < nz, in one fixed order: sums over a family are the same on any
-// number of ranks. "Slot" is the place of an offset in its layer's list.
+// Layer k sees the offsets with 0 <= k + dk < nz. Each bond is kept once, at its lower end: dj > 0, or dj = 0
+// and dk > 0, or dj = dk = 0 and di > 0. "Slot" is the place of an offset in its layer's list of those; di is
+// the outermost key, so that two updates of the same row of neighbours, one particle apart, never follow each
+// other closely.
 struct Stencil {
-  std::vector<std::vector<Offset>> layer;  // [k][slot]
-  std::vector<int> first_slot;             // sum of slots of the layers below; last entry: slots of a column
+  std::vector<std::vector<Offset>> family;  // [k]: the whole family of a particle of layer k
+  std::vector<std::vector<Offset>> half;    // [k][slot]: its bonds to higher ends
+  std::vector<int> first_slot;              // slots of the layers below; last entry: slots of a column
 
-  int slots(int k) const { return static_cast<int>(layer[k].size()); }
+  int slots(int k) const { return static_cast<int>(half[k].size()); }
   int column_slots() const { return first_slot.back(); }
 };
 

@@ -62,7 +62,10 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
       start_x_(hull_x),
       material_(make_material(s.ice, lattice.dx, s.numerics.horizon_ratio)),
       law_(make_bond_law(material_.s0)),
-      sheet_(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material_),
+      sheet_(
+          s, lattice,
+          make_partition(lattice, comm.rank(), comm.size(), comm.size() > 1 ? s.numerics.ranks_along_x : 0),
+          material_),
       halo_(comm, sheet_.partition, sheet_.layout),
       contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
       hull_box_(bounding_box(hull)),
@@ -90,9 +93,9 @@ void Stepper::step() {
   sheet_.drift(drift_);
   contacts_ = contact_.apply(sheet_, hull_x(), impulse_);
   halo_.exchange({sheet_.u[0].data(), sheet_.u[1].data(), sheet_.u[2].data()});
-  broken_ends_ += sheet_.dilatation(law_);
+  broken_bonds_ += sheet_.dilatation(law_);
   halo_.exchange({sheet_.theta.data()});
-  sheet_.force(law_, dt_);
+  sheet_.force(law_);
 }
 
 ExactImpulse Stepper::take_impulse() {

@@ -30,8 +30,8 @@ class Stepper {
 
   // Of this rank, since the last take_impulse().
   ExactImpulse take_impulse();
-  int contacts() const { return contacts_; }  // particles touching the hull now, this rank
-  std::int64_t broken_bond_ends() const { return broken_ends_; }  // this rank, so far: two for each bond
+  int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
+  std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
 
  private:
   void set_hull_box();
@@ -45,7 +45,7 @@ class Stepper {
   Box hull_box_;
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
-  std::int64_t steps_ = 0, broken_ends_ = 0;
+  std::int64_t steps_ = 0, broken_bonds_ = 0;
   int contacts_ = 0;
 };
 

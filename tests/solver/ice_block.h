@@ -21,12 +21,13 @@ inline Scenario block_scenario(int nx, int ny, int nz, double dx = 0.013) {
 
 class IceBlock {
  public:
-  explicit IceBlock(const Scenario& s, const Communicator& comm = Communicator::serial())
+  explicit IceBlock(const Scenario& s, const Communicator& comm = Communicator::serial(),
+                    const Kernels& kernel = kernels())
       : lattice(make_lattice(s)),
         material(make_material(s.ice, s.numerics.dx, s.numerics.horizon_ratio)),
         law(make_bond_law(material.s0)),
         comm_(comm),
-        sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material),
+        sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material, kernel),
         halo_(comm_, sheet.partition, sheet.layout) {}
 
   using Function = std::function<Vec3(const Vec3&)>;
@@ -47,17 +48,22 @@ class IceBlock {
     });
   }
 
-  // Dilatation, then v = acceleration (from rest, in a time step of one second).
+  // Dilatation and force of the displacements as they are; returns how many bonds broke.
   std::int64_t accelerate() {
-    for (Field& v : sheet.v)
-      for (std::size_t p = 0; p < sheet.layout.size; ++p) v[p] = 0.0f;
+    for (std::size_t p = 0; p < sheet.layout.size; ++p) {
+      sheet.theta[p] = 0.0f;
+      for (Field& a : sheet.acceleration) a[p] = 0.0f;
+    }
     halo_.exchange({sheet.u[0].data(), sheet.u[1].data(), sheet.u[2].data()});
     const std::int64_t broken = sheet.dilatation(law);
     halo_.exchange({sheet.theta.data()});
-    sheet.force(law, 1.0);
+    sheet.force(law);
     return broken;
   }
-  Vec3 acceleration(std::size_t p) const { return {sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]}; }
+  Vec3 acceleration(std::size_t p) const {
+    return {sheet.acceleration[0][p], sheet.acceleration[1][p], sheet.acceleration[2][p]};
+  }
+  Vec3 velocity(std::size_t p) const { return {sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]}; }
   double largest_acceleration() const {
     double largest = 0.0;
     for_each([&](int, int, int, std::size_t p) { largest = std::max(largest, acceleration(p).norm()); });

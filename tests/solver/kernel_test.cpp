@@ -103,18 +103,19 @@ TEST_CASE("bond forces cancel: no net force, no net moment") {
   CHECK(sum.norm() < 1e-5 * magnitude);
 }
 
-TEST_CASE("an overstretched bond breaks at both ends and never heals") {
-  IceBlock b(block_scenario(32, 9, 2));
+TEST_CASE("an overstretched bond breaks and never heals") {
+  IceBlock b(block_scenario(40, 9, 2));
   const std::int64_t before = b.sheet.bits.count();
-  const double cut = 16 * b.lattice.dx;
+  const double cut = 20 * b.lattice.dx;
   b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
-  const std::int64_t ends = b.accelerate();
-  CHECK(ends > 0);
-  CHECK(ends % 2 == 0);
-  CHECK(b.sheet.bits.count() == before - ends);
+  // A block that was intact notices in one step and breaks its bonds in the next.
+  const std::int64_t broken = b.accelerate() + b.accelerate();
+  CHECK(broken > 0);
+  CHECK(b.sheet.bits.count() == before - broken);
+  CHECK(b.accelerate() == 0);
   b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
   CHECK(b.accelerate() == 0);
-  CHECK(b.sheet.bits.count() == before - ends);
+  CHECK(b.sheet.bits.count() == before - broken);
 }
 
 TEST_CASE("a strongly compressed bond pushes back and does not break") {
@@ -132,18 +133,16 @@ TEST_CASE("a strongly compressed bond pushes back and does not break") {
 }
 
 TEST_CASE("every vector width computes the same") {
-  IceBlock b(block_scenario(40, 9, 3));
-  const auto wave = [](const Vec3& x) -> Vec3 {
-    return Vec3(1e-5 * std::sin(40 * x.y()), 2e-5 * std::sin(30 * x.x()), 1e-5 * x.x());
-  };
-  b.displace(wave);
-  b.accelerate();
-  std::vector<Vec3> wide;
-  b.for_each([&](int, int, int, std::size_t p) { wide.push_back(b.acceleration(p)); });
-  const double scale = b.largest_acceleration();
-  b.sheet.use(baseline_kernels());
-  b.accelerate();
-  std::size_t n = 0;
-  b.for_each(
-      [&](int, int, int, std::size_t p) { CHECK((b.acceleration(p) - wide[n++]).norm() < 1e-4 * scale); });
+  IceBlock wide(block_scenario(40, 9, 3));
+  IceBlock narrow(block_scenario(40, 9, 3), Communicator::serial(), baseline_kernels());
+  for (IceBlock* b : {&wide, &narrow}) {
+    b->displace([](const Vec3& x) -> Vec3 {
+      return {1e-5 * std::sin(40 * x.y()), 2e-5 * std::sin(30 * x.x()), 1e-5 * x.x()};
+    });
+    b->accelerate();
+  }
+  const double scale = wide.largest_acceleration();
+  wide.for_each([&](int, int, int, std::size_t p) {
+    CHECK((wide.acceleration(p) - narrow.acceleration(p)).norm() < 1e-4 * scale);
+  });
 }

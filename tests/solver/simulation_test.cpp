@@ -45,9 +45,9 @@ TEST_CASE("the hull breaks the ice and feels it") {
   CHECK(r.history.rows.back().advance == Approx(0.12).epsilon(0.03));
 }
 
-TEST_CASE("any number of ranks gives the same record, bit for bit, and the same damage") {
-  const RunResult many = simulate(test_world(), tiny_hull(), tiny(), {});
-  const RunResult one = simulate(Communicator::serial(), tiny_hull(), tiny(), {});
+namespace {
+
+void check_same(const RunResult& many, const RunResult& one) {
   REQUIRE(many.history.rows.size() == one.history.rows.size());
   for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
     const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
@@ -60,6 +60,26 @@ TEST_CASE("any number of ranks gives the same record, bit for bit, and the same 
   CHECK(many.metrics.broken_volume == one.metrics.broken_volume);
   CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
   CHECK(many.metrics.floes == one.metrics.floes);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "any number of ranks, along or across the course, gives the same record bit for bit and the same "
+    "damage") {
+  const Scenario s = tiny();
+  const RunResult one = simulate(Communicator::serial(), tiny_hull(), s, {});
+  check_same(simulate(test_world(), tiny_hull(), s, {}), one);
+}
+
+TEST_CASE("cracks cross the cut between ranks along the course unchanged") {
+  if (test_world().size() % 2 != 0) return;
+  Scenario s = tiny();
+  s.numerics.ranks_along_x = 2;  // the cut is at x = 0.64 m
+  s.advance = 0.5;
+  const RunResult many = simulate(test_world(), tiny_hull(), s, {});
+  check_same(many, simulate(Communicator::serial(), tiny_hull(), s, {}));
+  CHECK(many.metrics.broken_bonds > 1000);
 }
 
 TEST_CASE("without friction the first touch pushes along the normal of the stem plane") {

@@ -8,7 +8,7 @@ using namespace icebow;
 TEST_CASE("a particle deep inside has 122 neighbours within three spacings, in opposite pairs") {
   const double dx = 0.013;
   const Stencil stencil = make_stencil(7, dx, 3.0 * dx);
-  const auto& middle = stencil.layer[3];
+  const auto& middle = stencil.family[3];
   REQUIRE(middle.size() == 122);
   for (const Offset& o : middle) {
     int opposite = 0;
@@ -20,10 +20,17 @@ TEST_CASE("a particle deep inside has 122 neighbours within three spacings, in o
   }
 }
 
+TEST_CASE("a column keeps each of its bonds once") {
+  const Stencil stencil = make_stencil(3, 0.013, 0.039);
+  int directed = 0;
+  for (const auto& family : stencil.family) directed += static_cast<int>(family.size());
+  CHECK(2 * stencil.column_slots() == directed);
+}
+
 TEST_CASE("a bond at the horizon counts half of its neighbour's volume") {
   const double dx = 0.02;
   const Stencil stencil = make_stencil(1, dx, 3.0 * dx);
-  for (const Offset& o : stencil.layer[0]) {
+  for (const Offset& o : stencil.family[0]) {
     if (std::abs(o.di) == 3 && o.dj == 0) CHECK(o.volume_factor == Approx(0.5));
     if (std::abs(o.di) == 2 && o.dj == 0) CHECK(o.volume_factor == 1.0);
   }
@@ -32,10 +39,10 @@ TEST_CASE("a bond at the horizon counts half of its neighbour's volume") {
 TEST_CASE("layers of a thin sheet see only what exists above and below") {
   const Stencil stencil = make_stencil(3, 0.013, 0.039);
   for (int k = 0; k < 3; ++k) {
-    for (const Offset& o : stencil.layer[k]) CHECK((k + o.dk >= 0 && k + o.dk < 3));
+    for (const Offset& o : stencil.family[k]) CHECK((k + o.dk >= 0 && k + o.dk < 3));
   }
-  CHECK(stencil.slots(0) == stencil.slots(2));
-  CHECK(stencil.slots(0) < stencil.slots(1));
+  CHECK(stencil.family[0].size() == stencil.family[2].size());
+  CHECK(stencil.family[0].size() < stencil.family[1].size());
 }
 
 TEST_CASE("the paper's critical stretch follows from its toughness and horizon") {
