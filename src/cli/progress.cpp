@@ -77,7 +77,6 @@ double ProgressDisplay::now() const {
 
 void ProgressDisplay::on_planned(const StudyPlan& plan) {
   state_.planned(static_cast<int>(plan.designs.size()), plan.proposals);
-  for (const std::string& note : plan.notes) announce("note: " + note);
 }
 
 void ProgressDisplay::on_started(const Design& design) {
@@ -137,7 +136,7 @@ void ProgressDisplay::draw_bars() {
     lines.push_back(bar_line(name, running.fraction(),
                              "eta " + clock_time(ProgressState::eta(running, now())) + "  " +
                                  decimals(running.progress.advance, 2) + " m  " +
-                                 decimals(running.progress.load, 1) + " N"));
+                                 decimals(running.progress.load, 1) + " N (model)"));
   }
   if (state_.total() > 1) {
     const std::string count =

@@ -59,7 +59,8 @@ std::string decimals(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   char text[352];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  const bool zero = std::string(text).find_first_of("123456789") == std::string::npos;
+  return zero && text[0] == '-' ? text + 1 : text;
 }
 
 }  // namespace icebow

@@ -1,5 +1,5 @@
 // Every key of a study file's sections in one table: it serves the reader, the hints for unknown keys,
-// `icebow help study`, the test of the published schema and the table of docs/study_file.md.
+// the published schema and the table of docs/study_file.md (studies/schema/generate.py writes both).
 #pragma once
 
 #include <string>

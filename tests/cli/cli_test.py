@@ -60,6 +60,12 @@ class Usage(ProgramTest):
         self.assertEqual(text, self.expect(0).stdout)
         self.assertIn("--out DIR", self.expect(0, "run", "--help").stdout)
 
+    def test_results_that_cannot_be_printed(self):
+        with open("/dev/full", "w") as full:
+            process = subprocess.run([PROGRAM, "hull", TINY, "--json"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("standard output", process.stderr)
+
     def test_version(self):
         self.assertRegex(self.expect(0, "--version").stdout, r"^icebow \d+\.\d+\.\d+\n$")
 
@@ -164,7 +170,7 @@ class HullAndResistance(ProgramTest):
 
     def test_resistance(self):
         text = self.expect(0, "resistance", TINY, "--json", "--set", "/ice/thickness_m=1",
-                           "--set", "/operation={\"speed_m_s\": 2.058}").stdout
+                           "--set", "/operation={\"speed_m_s\": 2.058, \"advance_m\": 8}").stdout
         r = json.loads(text)["lindqvist"]
         speed = 1 + 1.4 * 2.058 / (9.81 * 1.0) ** 0.5
         self.assertAlmostEqual(r["breaking_N"] / ((r["crushing_N"] + r["bending_N"]) * speed), 1, places=12)
@@ -209,7 +215,7 @@ class Simulate(ProgramTest):
         self.assertIn("file", self.expect(1, "simulate", TINY, "--out", blocked / "x").stderr)
 
     def test_interrupted(self):
-        process = start("simulate", TINY, "--out", self.directory, "--set", "/solver/layers=8")
+        process = start("simulate", TINY, "--out", self.directory, "--set", "/solver/layers=5")
         time.sleep(1.5)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
@@ -252,7 +258,7 @@ class Run(ProgramTest):
 
     def test_interrupted_and_resumed(self):
         out = self.directory / "study"
-        words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/solver/layers=4")
+        words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/operation/advance_m=12")
         process = start(*words, start_new_session=True)
         deadline = time.time() + 60
         while time.time() < deadline and not (out / "designs/baseline/log.txt").exists() and process.poll() is None:
@@ -263,6 +269,12 @@ class Run(ProgramTest):
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("same command", err)
         self.expect(0, *words)
+
+    def test_in_one_job_of_two_ranks(self):
+        out = self.directory / "study"
+        result = self.expect(0, "run", TINY, "--out", out, "--json", ranks=2)
+        self.assertEqual([d["status"] for d in json.loads(result.stdout)["designs"]], ["ok", "ok"])
+        self.assertIn("2 of them stored before", self.expect(0, "run", TINY, "--out", out).stderr)
 
     def test_no_study(self):
         for command in ("rank", "report"):

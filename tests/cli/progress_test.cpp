@@ -37,7 +37,6 @@ std::string written(ProgressDisplay::Mode mode, bool colour) {
     ProgressDisplay display(file, mode, colour);
     StudyPlan plan;
     plan.designs.resize(2);
-    plan.notes = {"d001 is the same as baseline"};
     display.on_planned(plan);
     display.on_started({"baseline", {}, {}});
     display.on_progress("baseline", at(50, 100));
@@ -89,7 +88,6 @@ TEST_CASE("designs an optimiser proposes use up its allowance") {
 TEST_CASE("without a terminal there are plain lines only") {
   const std::string text = written(ProgressDisplay::Mode::lines, false);
   CHECK(text.find('\033') == std::string::npos);
-  CHECK(has(text, "note: d001 is the same as baseline\n"));
   CHECK(has(text, "[1/2] baseline  ok, mean load 969.0 kN  1:01\n"));
   CHECK(has(text, "[2/2] Bad  failed: unstable at step 7  (stored)\n"));
   CHECK_FALSE(has(text, "more"));
@@ -117,4 +115,5 @@ TEST_CASE("times and numbers for people") {
   CHECK(clock_time(NAN) == "--:--");
   CHECK(decimals(1.25, 1) == "1.2");
   CHECK(decimals(INFINITY, 1) == "-");
+  CHECK(decimals(-0.01, 1) == "0.0");
 }
