@@ -58,7 +58,7 @@ const std::vector<Key> table = {
 
   {"solver", "spacing", Quantity::length, 0.0001, 5, false, none, "thickness / layers", "lattice spacing; instead of layers", {}},
   {"solver", "layers", Quantity::integer, 1, 50, false, 3, "3", "particles through the thickness; instead of spacing", {}},
-  {"solver", "horizon_ratio", Quantity::number, 1.5, 4, false, 3, "3", "horizon / spacing", {}},
+  {"solver", "horizon_ratio", Quantity::number, 1.5, 3.9, false, 3, "3", "horizon / spacing", {}},
   {"solver", "time_step", Quantity::time, 1e-8, 1, false, none, "time_step_fraction of the limit", "time step; instead of time_step_fraction", {}},
   {"solver", "time_step_fraction", Quantity::number, 0.01, 1, false, 0.8, "0.8", "time step as a fraction of the stability limit; instead of time_step", {}},
   {"solver", "surface_correction", Quantity::boolean, 0, 0, false, 1, "true", "correct the stiffness of particles near a surface", {}},
