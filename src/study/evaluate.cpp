@@ -134,21 +134,25 @@ void DesignRun::run_simulation() {
   if (run.status == RunStatus::failed) end(EvaluationStatus::failed, run.reason);
 }
 
-// A scenario that cannot be run is the design's fault, and so is one too large for the memory.
+// A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
+// not.
 RunResult DesignRun::simulated() {
   RunOptions run_options{options_.directory, case_.snapshots, case_.pictures, options_.on_progress,
                          options_.stop};
   RunResult run;
   std::string error;
+  bool machine = false;
   try {
     run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), model_scenario(case_), run_options);
   } catch (const std::exception& e) {
-    error = *e.what() ? e.what() : "the simulation threw an exception without a message";
+    error = *e.what() ? e.what() : "an exception without a message";
+    machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
   }
-  if (comm_.any(!error.empty())) {
-    const std::string root_error = comm_.broadcast(error);
-    end(EvaluationStatus::failed, root_error.empty() ? "the simulation failed on another rank" : root_error);
-  }
+  if (!comm_.any(!error.empty())) return run;
+  std::string message = comm_.broadcast(error);
+  if (message.empty()) message = "the simulation failed on another rank than the first";
+  if (comm_.any(machine)) throw RuntimeError(message);
+  end(EvaluationStatus::failed, message);
   return run;
 }
 

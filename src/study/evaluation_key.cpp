@@ -11,13 +11,13 @@ namespace {
 // Raise it when the same case would give another result: a changed model, a corrected error.
 constexpr int result_version = 1;
 
-// A field added to a case but not to its key would hand out results of another case: the sizes notice. Left out on
-// purpose: numerics.ranks_along_x, because results do not depend on the ranks.
+// A field added to a case but not to its key would hand out results of another case: the sizes notice. Left
+// out on purpose: numerics.ranks_along_x, because results do not depend on the ranks.
 static_assert(sizeof(void*) != 8 || (sizeof(BowParameters) == 104 && sizeof(IceMaterial) == 48 &&
                                      sizeof(Water) == 16 && sizeof(Sheet) == 24 && sizeof(Numerics) == 56),
               "add the new field to describe() below, then correct the size");
 static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 104 + 48 + 8 + 16 + 24 + 56 + 24 + 8,
-              "add the new field of Case to case_text() below, then correct the size");
+              "add the new field of Case to evaluation_key() below, then correct the size");
 
 // One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
 // keys that should agree do not.
