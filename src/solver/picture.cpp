@@ -13,7 +13,7 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-constexpr Color sea{22, 61, 92}, standing{236, 242, 246}, crack{34, 52, 72}, crushed{146, 155, 163};
+constexpr Color sea{22, 61, 92}, standing{236, 242, 246}, crack{44, 54, 68}, crushed{146, 155, 163};
 constexpr Color hull_fill{176, 60, 48}, hull_line{92, 20, 18};
 // Light enough that cracks stay darker than any of them, in an order that keeps successive numbers apart.
 constexpr Color floe_tints[] = {{173, 214, 235}, {240, 221, 178}, {188, 224, 196}, {214, 200, 236},
@@ -26,15 +26,16 @@ float smooth_step(float from, float to, float x) {
 
 Color ice_color(const IceCloud& ice, std::size_t i) {
   if (ice.piece[i] < 0) return crushed;
-  const float broken = smooth_step(0.15f, 0.5f, ice.damage[i]);
   const float dx = static_cast<float>(ice.dx);
   if (ice.piece[i] == 0) {
     // A sheet pressed down by one spacing is a shade darker.
     const float pressed = std::clamp(-ice.uz[i] / dx, -0.3f, 1.0f);
-    return mix(mix(standing, {176, 198, 216}, 0.6f * std::max(0.0f, pressed)), crack, 0.9f * broken);
+    return mix(mix(standing, {176, 198, 216}, 0.6f * std::max(0.0f, pressed)), crack,
+               0.9f * smooth_step(0.15f, 0.45f, ice.damage[i]));
   }
   constexpr int tints = sizeof floe_tints / sizeof floe_tints[0];
-  return mix(floe_tints[ice.piece[i] % tints], crack, 0.7f * broken);
+  // A small floe is all edge: it must still stand out from the sea.
+  return mix(floe_tints[ice.piece[i] % tints], crack, 0.45f * smooth_step(0.2f, 0.55f, ice.damage[i]));
 }
 
 // Light from the upper left, nothing changed on a level face.
