@@ -178,6 +178,8 @@ Evaluation IsolatedRunner::result_of(const Job& job) const {
   if (!std::filesystem::exists(path)) return lost(job);
   Evaluation e = evaluation_from_json(read_json_file(path));
   std::filesystem::remove(path);
+  std::error_code ignored;
+  if (std::filesystem::is_empty(log_file(job), ignored)) std::filesystem::remove(log_file(job), ignored);
   return e;
 }
 

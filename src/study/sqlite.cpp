@@ -75,12 +75,20 @@ Database Database::open_read_only(const std::string& path) {
                                      nullptr) == SQLITE_OK;
   const int code = sqlite3_errcode(database.handle_);
   const bool no_shared_memory = (code & 0xff) == SQLITE_CANTOPEN || (code & 0xff) == SQLITE_READONLY;
-  if (readable || !no_shared_memory || std::filesystem::exists(path + "-wal")) return database;
+  std::error_code missing;
+  const auto log_size = std::filesystem::file_size(path + "-wal", missing);
+  if (readable || !no_shared_memory || (!missing && log_size > 0)) return database;
   return Database(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 void Database::execute(const std::string& sql) {
   if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("cannot be used");
+}
+
+void Database::try_at_once(const std::string& sql) noexcept {
+  sqlite3_busy_timeout(handle_, 0);
+  sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
+  sqlite3_busy_timeout(handle_, wait_for_others_ms);
 }
 
 std::string Database::text_of(const std::string& sql) const {

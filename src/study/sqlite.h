@@ -17,6 +17,7 @@ class Database {
   ~Database();
 
   void execute(const std::string& sql);
+  void try_at_once(const std::string& sql) noexcept;  // without waiting for others, and without complaint
   std::string text_of(
       const std::string& sql) const;  // first column of the first row; empty where there is none
   [[noreturn]] void fail(const std::string& doing) const;

@@ -92,6 +92,12 @@ struct Store::Impl {
   std::unique_ptr<StoreLock>
       lock;  // none for a reader; declared first, so given back after the file is closed
   Database database;
+
+  // A store at rest is one file, to be copied or read from anywhere. While somebody reads, its log stays
+  // beside it.
+  ~Impl() {
+    if (lock) database.try_at_once("PRAGMA journal_mode = DELETE");
+  }
 };
 
 Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -116,6 +116,21 @@ TEST_CASE("all() is the present study in its order; older rows stay in everythin
   CHECK(store.all().size() == 3);
 }
 
+TEST_CASE("a store at rest is one file") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  {
+    Store store = Store::open(path);
+    store.put(sample("a"));
+    CHECK(std::filesystem::exists(path + "-wal"));
+  }
+  CHECK_FALSE(std::filesystem::exists(path + "-wal"));
+  CHECK(Store::open_read_only(path).find("a"));
+  CHECK_FALSE(std::filesystem::exists(path + "-wal"));
+  { Store::open(path).put(sample("b")); }
+  CHECK(Store::open_read_only(path).all().size() == 2);
+}
+
 TEST_CASE("facts") {
   const TemporaryDirectory directory;
   Store store = Store::open(directory / "r.sqlite");
