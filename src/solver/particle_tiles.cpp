@@ -28,6 +28,7 @@ class ReferenceLattice {
     Vec3f lower = Vec3f::Constant(largest), upper = -lower;
     for (std::size_t i = 0; i < ice.x.size(); ++i) {
       const Vec3f X = position(ice, i) - displacement(ice, i);
+      if (!X.allFinite()) continue;
       lower = lower.cwiseMin(X);
       upper = upper.cwiseMax(X);
     }
@@ -41,10 +42,13 @@ class ReferenceLattice {
     // A window of a lattice is mostly full; anything else is not worth a table.
     if (!(places <= 1000.0 + 16.0 * static_cast<double>(ice.x.size()))) return;
     particle_.assign(static_cast<std::size_t>(places), -1);
-    for (std::size_t i = 0; i < ice.x.size(); ++i) particle_[number(place(i))] = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < ice.x.size(); ++i)
+      if (has_place(i)) particle_[number(place(i))] = static_cast<std::int32_t>(i);
   }
 
   bool known() const { return !particle_.empty(); }
+
+  bool has_place(std::size_t i) const { return (position(ice_, i) - displacement(ice_, i)).allFinite(); }
 
   Place place(std::size_t i) const {
     const Vec3f X = position(ice_, i) - displacement(ice_, i) - lower_;
@@ -103,7 +107,7 @@ std::vector<Tile> particle_tiles(const IceCloud& ice) {
   const ReferenceLattice lattice(ice);
   if (!lattice.known()) return tiles;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    if (ice.piece[i] < 0) continue;
+    if (ice.piece[i] < 0 || !lattice.has_place(i)) continue;
     const Place place = lattice.place(i);
     for (int axis = 0; axis < 3; ++axis) {
       Vec3f& e = axis == 0 ? tiles[i].x : axis == 1 ? tiles[i].y : tiles[i].z;

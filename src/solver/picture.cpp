@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/hull_section.h"
 #include "solver/particle_tiles.h"
@@ -49,10 +50,10 @@ Color lit(const Color& color, const Vec3f& u, const Vec3f& v) {
 
 // Upper side of the undisturbed sheet.
 float upper_side(const IceCloud& ice) {
-  float top = 0.0f;
+  float top = -std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < ice.z.size(); ++i)
-    top = i ? std::max(top, ice.z[i] - ice.uz[i]) : ice.z[i] - ice.uz[i];
-  return top + 0.5f * static_cast<float>(ice.dx);
+    if (std::isfinite(ice.z[i] - ice.uz[i])) top = std::max(top, ice.z[i] - ice.uz[i]);
+  return std::isfinite(top) ? top + 0.5f * static_cast<float>(ice.dx) : 0.0f;
 }
 
 // From a cube's centre to the one of two opposite sides that looks up.
@@ -63,6 +64,7 @@ Vec3f upwards(const Vec3f& edge) {
 void draw_particle(Canvas& canvas, const IceCloud& ice, std::size_t i, const Tile& tile, float top) {
   const float dx = static_cast<float>(ice.dx);
   const Vec3f centre(ice.x[i], ice.y[i], ice.z[i]);
+  if (!centre.allFinite()) return;
   if (ice.piece[i] < 0 && centre.z() > top + 4 * dx) return;  // spray of lone particles hides what is below
   // The deeper under water the bluer, from half a dozen spacings on.
   const float depth = std::max(0.0f, (top - centre.z()) / dx - 3.0f);

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <limits>
 
 #include "base/errors.h"
 #include "solver/hull_section.h"
@@ -168,6 +169,18 @@ TEST_CASE("Picture: an empty cloud is open water, and a bad window is refused") 
   PictureFrame empty = frame;
   empty.x_max = empty.x_min;
   CHECK_THROWS_AS(write_top_view("never.png", {}, hull, 0.0, empty), std::invalid_argument);
+}
+
+TEST_CASE("Picture: a cloud with positions that are no numbers is drawn all the same") {
+  IceCloud ice = sheet(stay);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  ice.x[10] = ice.ux[10] = nan;
+  ice.z[20] = std::numeric_limits<float>::infinity();
+  ice.ux[30] = nan;
+  ice.y[40] = 1e30f;
+  const Picture p = draw(ice, -5.0);
+  CHECK(p.at(1.8, 0.0).brightness() > 225);
+  CHECK(p.at(2.3, 0.0).brightness() < 90);
 }
 
 TEST_CASE("Picture: a file that cannot be written is named") {
