@@ -95,6 +95,8 @@ void DesignRun::evaluate() {
                           asks_for(design_.document, "peridynamics"));
   measure_hull();
   if (!ended_ && asks_for(design_.document, "lindqvist")) apply_formula();
+  const bool stop = comm_.is_root() && options_.stop && options_.stop();  // a hull takes a while
+  if (!ended_ && comm_.any(stop)) end(EvaluationStatus::running, "interrupted");
   if (!ended_ && asks_for(design_.document, "peridynamics")) run_simulation();
   if (!ended_) judge();
 }

@@ -154,7 +154,10 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   if (stored->status == EvaluationStatus::running) {
     if (attempts(*stored) < 2) return false;
     stored->status = EvaluationStatus::failed;
-    stored->reason = "crashed twice: the program was lost each time while it evaluated this design";
+    stored->reason =
+        "crashed twice: the program was lost each time while it evaluated this design (--retry-failed tries "
+        "it "
+        "again)";
   }
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
