@@ -7,7 +7,9 @@
 namespace icebow {
 
 static const Communicator* world = nullptr;
-const Communicator& test_world() { return *world; }
+const Communicator& test_world() {
+  return *world;
+}
 
 }  // namespace icebow
 

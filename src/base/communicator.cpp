@@ -25,7 +25,9 @@ Communicator::Native::~Native() {
   if (owned && !finalized) MPI_Comm_free(&comm);
 }
 
-Communicator Communicator::serial() { return Communicator(nullptr, 0, 1); }
+Communicator Communicator::serial() {
+  return Communicator(nullptr, 0, 1);
+}
 
 Communicator Communicator::split(int color) const {
   if (!native_) return *this;
@@ -63,8 +65,12 @@ double Communicator::max(double value) const {
   return value;
 }
 
-bool Communicator::all(bool value) const { return max(value ? 0.0 : 1.0) == 0.0; }
-bool Communicator::any(bool value) const { return max(value ? 1.0 : 0.0) == 1.0; }
+bool Communicator::all(bool value) const {
+  return max(value ? 0.0 : 1.0) == 0.0;
+}
+bool Communicator::any(bool value) const {
+  return max(value ? 1.0 : 0.0) == 1.0;
+}
 
 std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes, int root) const {
   if (!native_) return {bytes};

@@ -1,7 +1,7 @@
 // A group of ranks. MPI stays behind this wall: only communicator.cpp and solver/halo.cpp include <mpi.h>.
 //
-// Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one rank.
-// Every call named collective must be made by all ranks of the group, with arguments of the same size.
+// Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one
+// rank. Every call named collective must be made by all ranks of the group, with arguments of the same size.
 #pragma once
 
 #include <cstdint>

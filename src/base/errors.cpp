@@ -4,8 +4,8 @@ namespace icebow {
 namespace {
 
 std::string joined(const std::string& file, const std::vector<Mistake>& mistakes) {
-  std::string text = file + ": " + std::to_string(mistakes.size()) +
-                     (mistakes.size() == 1 ? " mistake" : " mistakes");
+  std::string text =
+      file + ": " + std::to_string(mistakes.size()) + (mistakes.size() == 1 ? " mistake" : " mistakes");
   for (const Mistake& m : mistakes) {
     text += "\n  " + (m.pointer.empty() ? std::string("(whole file)") : m.pointer) + ": " + m.message;
   }
