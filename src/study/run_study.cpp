@@ -246,7 +246,7 @@ StudyOutcome run_study(const Communicator& comm, const StudySpec& spec, const Ru
   const RunSettings settings = completed(given);
   if (!comm.is_root()) return serve_embedded(comm, settings.evaluate);
   try {
-    const StudyOutcome outcome = run_on_root(comm, spec, settings, observer);
+    StudyOutcome outcome = run_on_root(comm, spec, settings, observer);
     end_embedded(comm, outcome);
     return outcome;
   } catch (const std::exception& error) {
