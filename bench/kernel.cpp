@@ -34,7 +34,7 @@ void excite(IceSheet& sheet) {
       for (int l = 0; l < sheet.layout.blocks * block; ++l) {
         if (!sheet.mobile(jl, l)) continue;
         const double x = sheet.lattice.x(sheet.layout.i0 + l), y = sheet.lattice.y(sheet.layout.j0 + jl);
-        sheet.v[2][row + l] = static_cast<float>(1e-3 * std::sin(3.0 * x) * std::cos(2.0 * y));
+        sheet.v[2][row + l] = 1e-3 * std::sin(3.0 * x) * std::cos(2.0 * y);
       }
     }
   }
@@ -45,23 +45,26 @@ void excite(IceSheet& sheet) {
 int main(int argc, char** argv) {
   MpiSession mpi(argc, argv);
   const Communicator comm = mpi.world();
-  bool json = false;
+  bool json = false, fp64 = false;
   int steps = 60;
   for (int a = 1; a < argc; ++a) {
     if (!std::strcmp(argv[a], "--json")) json = true;
+    if (!std::strcmp(argv[a], "--fp64")) fp64 = true;
     if (!std::strcmp(argv[a], "--steps") && a + 1 < argc) steps = std::atoi(argv[++a]);
   }
 
-  const Scenario s = reference_slab();
+  Scenario s = reference_slab();
+  if (fp64) s.numerics.precision = Precision::fp64;
   const Lattice lattice = make_lattice(s);
   const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
   IceSheet sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material);
-  Halo halo(comm, sheet.partition, sheet.layout);
+  Halo displacements(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
+                     ghost_blocks, 0);
+  Halo dilatations(comm, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1);
   const double limit = stable_time_step(sheet.stencil, material, lattice.dx, s.ice.rho, true);
-  const BondLaw law = make_bond_law(material.s0);
   DriftSettings drift{};
-  drift.dt = static_cast<float>(0.8 * limit);
-  drift.inverse_dx = static_cast<float>(1.0 / lattice.dx);
+  drift.dt = 0.8 * limit;
+  drift.inverse_dx = 1.0 / lattice.dx;
   excite(sheet);
 
   double best = 1e300, part[3] = {};
@@ -75,12 +78,12 @@ int main(int argc, char** argv) {
     for (int n = 0; n < steps; ++n) {
       const double t0 = now();
       sheet.drift(drift);
-      halo.exchange({sheet.u[0].data(), sheet.u[1].data(), sheet.u[2].data()});
+      displacements.exchange();
       const double t1 = now();
-      sheet.dilatation(law);
-      halo.exchange({sheet.theta.data()});
+      sheet.dilatation();
+      dilatations.exchange();
       const double t2 = now();
-      sheet.force(law);
+      sheet.force();
       const double t3 = now();
       t[0] += t1 - t0;
       t[1] += t2 - t1;
@@ -94,7 +97,7 @@ int main(int argc, char** argv) {
   }
   std::int64_t bonds = 2 * sheet.bits.count();  // directed
   comm.sum(&bonds, 1);
-  std::int64_t bytes = static_cast<std::int64_t>(13 * sizeof(float) * sheet.layout.size + sheet.bits.bytes());
+  std::int64_t bytes = static_cast<std::int64_t>(sheet.bytes());
   comm.sum(&bytes, 1);
   if (!comm.is_root()) return 0;
   const double ns = 1e9 * best / double(bonds), per_particle = double(bytes) / double(lattice.particles());

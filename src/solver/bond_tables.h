@@ -15,26 +15,28 @@ struct BondTableOptions {
   double rho = 0.0;  //!< ice density [kg/m^3]
 };
 
+template <class Real>
 class BondTables {
  public:
   BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
              const BondTableOptions& options);
 
   // Tables of row (jl, k), jl = -reach .. columns - 1 counted from the first owned column.
-  RowTables row(int jl, int k) const;
+  RowTables<Real> row(int jl, int k) const;
 
  private:
   // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) share
   // tables.
   using RowClass = std::tuple<int, int, int>;  // distance to j = 0, to j = ny - 1, k
   struct Tables {
-    std::vector<float> interior;
-    std::map<int, std::vector<float>> ends;  // by block
-    std::vector<const float*> end_of;  // [1 + block], ghost blocks included: what RowTables::ends points at
+    std::vector<Real> interior;
+    std::map<int, std::vector<Real>> ends;  // by block
+    std::vector<const Real*> end_of;  // [1 + block], ghost blocks included: what RowTables::ends points at
   };
   RowClass row_class(int jl, int k) const;
 
   int ny_, j0_;
+  Real theta_per_strain_;
   std::vector<std::vector<std::ptrdiff_t>> neighbour_;  // [k][slot]
   std::map<RowClass, Tables> tables_;
 };

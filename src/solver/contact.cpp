@@ -43,10 +43,10 @@ ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const
 HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
     : distance_(hull, region), settings_(settings) {}
 
-int HullContact::apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse) const {
+int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse) const {
   const Layout& layout = sheet.layout;
   int contacts = 0;
-  for (int jl = 0; jl < layout.columns; ++jl) {
+  for (int jl = jl0; jl < jl1; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
       const std::size_t row = layout.row(jl, k);
       const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
@@ -65,12 +65,12 @@ int HullContact::apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse) co
               respond(settings_, hit, Vec3(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]));
           Vec3 delta_v;  // as stored: the hull gets exactly what the ice lost
           for (int c = 0; c < 3; ++c) {
-            const float before = sheet.v[c][p];
-            sheet.v[c][p] = static_cast<float>(before + r.delta_v[c]);
-            delta_v[c] = double(sheet.v[c][p]) - before;
+            const double before = sheet.v[c][p];
+            sheet.v[c][p] = before + r.delta_v[c];
+            delta_v[c] = sheet.v[c][p] - before;
             if (r.push[c] == 0.0) continue;
-            sheet.u[c][p] = static_cast<float>(sheet.u[c][p] + r.push[c]);
-            sheet.residual[c][p] = 0.0f;
+            sheet.u[c][p] = sheet.u[c][p] + r.push[c];
+            sheet.residual[c][p] = 0.0;
           }
           impulse.add(-settings_.particle_mass * delta_v, hit.point);
         }

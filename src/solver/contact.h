@@ -29,9 +29,9 @@ class HullContact {
  public:
   HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings);
 
-  // Treats every particle inside the hull, whose origin is at (hull_x, 0, 0); adds the impulse of the ice on
-  // the hull about that origin. Returns the number of particles in contact on this rank.
-  int apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse) const;
+  // Treats every particle of the owned columns [jl0, jl1) inside the hull, whose origin is at (hull_x, 0, 0);
+  // adds the impulse of the ice on the hull about that origin. Returns the number of particles in contact.
+  int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse) const;
 
  private:
   HullDistance distance_;

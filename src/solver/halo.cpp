@@ -1,102 +1,139 @@
 #include "solver/halo.h"
 
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
 #include "base/communicator_native.h"
 
 namespace icebow {
 namespace {
 
-constexpr int depth_x = ghost_blocks * block;
-constexpr int to_lower = 71, to_upper = 72;  // tags: towards smaller or larger x (then y)
+constexpr int most_chunks = 4;
+constexpr int tags_per_channel = 64;
+
+// Chunks of columns of about equal size, none thinner than the reach of a bond.
+std::vector<int> chunk_ends(int columns) {
+  const int n = std::clamp(columns / (2 * reach), 1, most_chunks);
+  std::vector<int> ends;
+  for (int c = 0; c <= n; ++c) ends.push_back(columns * c / n);
+  return ends;
+}
+
+// One of the nine directions as a number.
+int direction(int dx, int dy) {
+  return (dx + 1) + 3 * (dy + 1);
+}
 
 }  // namespace
 
-Halo::Halo(const Communicator& comm, const Partition& partition, const Layout& layout)
-    : comm_(comm), part_(partition), layout_(layout) {}
+struct Halo::Message {
+  int peer, send_tag, receive_tag;
+  Region own, ghost;
+  std::vector<std::byte> outgoing, incoming;
+  MPI_Request requests[2] = {MPI_REQUEST_NULL, MPI_REQUEST_NULL};  // receive, send
+};
 
-void Halo::exchange(const std::vector<float*>& fields) {
-  if (part_.px > 1) exchange_x(fields);
-  if (part_.py > 1) exchange_y(fields);
+Halo::Halo(const Communicator& comm, const Partition& partition, const Layout& layout,
+           std::vector<const Field*> fields, int blocks_deep, int channel)
+    : comm_(comm),
+      part_(partition),
+      layout_(layout),
+      fields_(std::move(fields)),
+      channel_(channel),
+      chunk_ends_(chunk_ends(layout.columns)) {
+  groups_.resize(chunk(chunks()));
+  const int depth = blocks_deep * block, width = layout.blocks * block, n = layout.columns;
+  for (int dy : {-1, 1}) {
+    const int group = dy < 0 ? south : north;
+    const int own0 = dy < 0 ? 0 : n - reach, ghost0 = dy < 0 ? -reach : n;
+    add(group, 0, dy, 0, {own0, own0 + reach, 0, width}, {ghost0, ghost0 + reach, 0, width});
+    add(group, -1, dy, 0, {own0, own0 + reach, 0, depth}, {ghost0, ghost0 + reach, -depth, 0});
+    add(group, 1, dy, 0, {own0, own0 + reach, width - depth, width},
+        {ghost0, ghost0 + reach, width, width + depth});
+  }
+  for (int c = 0; c < chunks(); ++c) {
+    const int j0 = chunk_begin(c), j1 = chunk_end(c);
+    add(chunk(c), -1, 0, c, {j0, j1, 0, depth}, {j0, j1, -depth, 0});
+    add(chunk(c), 1, 0, c, {j0, j1, width - depth, width}, {j0, j1, width, width + depth});
+  }
 }
 
-void Halo::copy_columns(const std::vector<float*>& fields, std::ptrdiff_t first, std::vector<float>& buffer,
-                        bool pack) const {
-  std::size_t n = 0;
-  for (float* field : fields) {
-    for (int jl = 0; jl < layout_.columns; ++jl) {
-      for (int k = 0; k < layout_.nz; ++k) {
-        float* column = field + layout_.row(jl, k) + first;
-        for (int c = 0; c < depth_x; ++c, ++n) {
-          if (pack) {
-            buffer[n] = column[c];
-          } else {
-            column[c] = buffer[n];
-          }
+Halo::~Halo() = default;
+
+// The pair of messages with the neighbour in a direction: `own` goes there, `ghost` comes from there.
+void Halo::add(int group, int dx, int dy, int chunk, const Region& own, const Region& ghost) {
+  if (dx < 0 ? part_.west < 0 : dx > 0 && part_.east < 0) return;
+  if (dy < 0 ? part_.south < 0 : dy > 0 && part_.north < 0) return;
+  auto message = std::make_unique<Message>();
+  message->peer = comm_.rank() + dx + dy * part_.px;
+  const int base = channel_ * tags_per_channel + chunk;
+  message->send_tag = base + most_chunks * direction(dx, dy);
+  message->receive_tag = base + most_chunks * direction(-dx, -dy);
+  message->own = own;
+  message->ghost = ghost;
+  message->outgoing.resize(size(own));
+  message->incoming.resize(size(ghost));
+  groups_[group].push_back(std::move(message));
+}
+
+std::size_t Halo::size(const Region& r) const {
+  return fields_.size() * fields_[0]->element_size() * (r.jl1 - r.jl0) * layout_.nz * (r.x1 - r.x0);
+}
+
+void Halo::copy(const Region& r, std::vector<std::byte>& buffer, bool pack) const {
+  std::byte* packed = buffer.data();
+  for (const Field* field : fields_) {
+    const std::size_t size = field->element_size(), length = (r.x1 - r.x0) * size;
+    for (int jl = r.jl0; jl < r.jl1; ++jl) {
+      for (int k = 0; k < layout_.nz; ++k, packed += length) {
+        std::byte* const row = field->bytes() + (std::ptrdiff_t(layout_.row(jl, k)) + r.x0) * size;
+        if (pack) {
+          std::memcpy(packed, row, length);
+        } else {
+          std::memcpy(row, packed, length);
         }
       }
     }
   }
 }
 
-void Halo::exchange_x(const std::vector<float*>& fields) {
-  const std::size_t n = fields.size() * layout_.columns * layout_.nz * depth_x;
-  const std::ptrdiff_t width = std::ptrdiff_t(layout_.blocks) * block;
-  const int neighbour[2] = {part_.west, part_.east};
-  const std::ptrdiff_t own[2] = {0, width - depth_x}, ghost[2] = {-depth_x, width};
-  const MPI_Comm mpi = comm_.native()->comm;
-  MPI_Request requests[4];
-  int started = 0;
-  for (int side = 0; side < 2; ++side) {
-    if (neighbour[side] < 0) continue;
-    receive_[side].resize(n);
-    MPI_Irecv(receive_[side].data(), static_cast<int>(n), MPI_FLOAT, neighbour[side],
-              side == 0 ? to_upper : to_lower, mpi, &requests[started++]);
-  }
-  for (int side = 0; side < 2; ++side) {
-    if (neighbour[side] < 0) continue;
-    send_[side].resize(n);
-    copy_columns(fields, own[side], send_[side], true);
-    MPI_Isend(send_[side].data(), static_cast<int>(n), MPI_FLOAT, neighbour[side],
-              side == 0 ? to_lower : to_upper, mpi, &requests[started++]);
-  }
-  MPI_Waitall(started, requests, MPI_STATUSES_IGNORE);
-  for (int side = 0; side < 2; ++side) {
-    if (neighbour[side] >= 0) copy_columns(fields, ghost[side], receive_[side], false);
+void Halo::start() {
+  for (auto& group : groups_) {
+    for (auto& m : group) {
+      MPI_Irecv(m->incoming.data(), static_cast<int>(m->incoming.size()), MPI_BYTE, m->peer, m->receive_tag,
+                comm_.native()->comm, &m->requests[0]);
+    }
   }
 }
 
-void Halo::exchange_y(const std::vector<float*>& fields) {
-  // `reach` columns of all layers are contiguous, ghosts along x included.
-  const int n = static_cast<int>(reach * layout_.nz * layout_.stride);
-  const int neighbour[2] = {part_.south, part_.north};
-  const int own[2] = {0, layout_.columns - reach}, ghost[2] = {-reach, layout_.columns};
-  const MPI_Comm mpi = comm_.native()->comm;
-  std::vector<MPI_Request> requests;
-  requests.reserve(4 * fields.size());
-  const auto start_of = [&](float* field, int jl) { return field + layout_.row(jl, 0) - depth_x; };
-  for (float* field : fields) {
-    for (int side = 0; side < 2; ++side) {
-      if (neighbour[side] < 0) continue;
-      requests.emplace_back();
-      MPI_Irecv(start_of(field, ghost[side]), n, MPI_FLOAT, neighbour[side], side == 0 ? to_upper : to_lower,
-                mpi, &requests.back());
-    }
+void Halo::send(int group) {
+  for (auto& m : groups_[group]) {
+    copy(m->own, m->outgoing, true);
+    MPI_Isend(m->outgoing.data(), static_cast<int>(m->outgoing.size()), MPI_BYTE, m->peer, m->send_tag,
+              comm_.native()->comm, &m->requests[1]);
   }
-  for (float* field : fields) {
-    for (int side = 0; side < 2; ++side) {
-      if (neighbour[side] < 0) continue;
-      requests.emplace_back();
-      MPI_Isend(start_of(field, own[side]), n, MPI_FLOAT, neighbour[side], side == 0 ? to_lower : to_upper,
-                mpi, &requests.back());
-    }
-  }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 }
 
-std::size_t Halo::bytes_sent_per_field() const {
-  const std::size_t x_sides = (part_.west >= 0) + (part_.east >= 0),
-                    y_sides = (part_.south >= 0) + (part_.north >= 0);
-  return sizeof(float) *
-         (x_sides * layout_.columns * layout_.nz * depth_x + y_sides * reach * layout_.nz * layout_.stride);
+void Halo::wait(int group) {
+  for (auto& m : groups_[group]) {
+    MPI_Waitall(2, m->requests, MPI_STATUSES_IGNORE);
+    copy(m->ghost, m->incoming, false);
+  }
+}
+
+void Halo::exchange() {
+  start();
+  for (int group = 0; group < chunk(chunks()); ++group) send(group);
+  for (int group = 0; group < chunk(chunks()); ++group) wait(group);
+}
+
+std::size_t Halo::bytes_sent() const {
+  std::size_t bytes = 0;
+  for (const auto& group : groups_) {
+    for (const auto& m : group) bytes += m->outgoing.size();
+  }
+  return bytes;
 }
 
 }  // namespace icebow

@@ -31,43 +31,81 @@ const Kernels& kernels() {
 namespace {
 
 // Polynomial through the function's values at the Chebyshev points of [lower, upper]: near the best one of
-// its degree.
-template <int n, class Function>
-void fit(Function f, double lower, double upper, float (&coefficients)[n]) {
-  Eigen::Matrix<double, n, n> powers;
-  Eigen::Matrix<double, n, 1> values;
+// its degree. Solved in the scaled variable t in [-1, 1], where the powers are well conditioned, then
+// expanded.
+template <int n, class Real, class Function>
+void fit(Function f, double lower, double upper, Real (&coefficients)[n]) {
+  using Matrix = Eigen::Matrix<long double, n, n>;
+  using Vector = Eigen::Matrix<long double, n, 1>;
+  const long double middle = 0.5L * (lower + upper), half = 0.5L * (upper - lower);
+  Matrix powers;
+  Vector values;
   for (int i = 0; i < n; ++i) {
-    const double e = 0.5 * (lower + upper) + 0.5 * (upper - lower) * std::cos(pi * (i + 0.5) / n);
-    for (int p = 0; p < n; ++p) powers(i, p) = std::pow(e, p);
-    values(i) = f(e);
+    const long double t = std::cos(static_cast<long double>(pi) * (i + 0.5L) / n);
+    for (int p = 0; p < n; ++p) powers(i, p) = std::pow(t, p);
+    values(i) = f(middle + half * t);
   }
-  const Eigen::Matrix<double, n, 1> solution = powers.fullPivLu().solve(values);
-  for (int p = 0; p < n; ++p) coefficients[p] = static_cast<float>(solution(p));
+  const Vector scaled = powers.fullPivLu().solve(values);
+  // Horner's scheme with the polynomial t(e) = (e - middle) / half.
+  long double expanded[n] = {};
+  for (int p = n - 1; p >= 0; --p) {
+    for (int power = n - 1; power >= 0; --power) {
+      expanded[power] = ((power ? expanded[power - 1] : 0.0L) - middle * expanded[power]) / half;
+    }
+    expanded[0] += scaled(p);
+  }
+  for (int p = 0; p < n; ++p) coefficients[p] = static_cast<Real>(expanded[p]);
 }
 
-template <int degree>
-LawFits<degree> fits(double lower, double upper) {
-  LawFits<degree> law;
-  const auto root = [](double e) { return std::sqrt(1.0 + e); };
-  fit([&](double e) { return 1.0 / (1.0 + root(e)); }, lower, upper, law.G);
-  fit([&](double e) { return 1.0 / root(e); }, lower, upper, law.R);
-  fit([&](double e) { return 1.0 / (root(e) * (1.0 + root(e))); }, lower, upper, law.H);
+template <class Real, int degree>
+LawFits<Real, degree> fits(double lower, double upper) {
+  LawFits<Real, degree> law;
+  const auto root = [](long double e) { return std::sqrt(1.0L + e); };
+  fit([&](long double e) { return 1.0L / (1.0L + root(e)); }, lower, upper, law.G);
+  fit([&](long double e) { return 1.0L / root(e); }, lower, upper, law.R);
+  fit([&](long double e) { return 1.0L / (root(e) * (1.0L + root(e))); }, lower, upper, law.H);
   return law;
 }
 
 }  // namespace
 
-BondLaw make_bond_law(double s0) {
-  constexpr double shortest = -0.19;       // 10 % shorter
-  constexpr double widest_small = 0.0125;  // where degree 2 is still good to 1e-6
-  BondLaw law;
-  const double e_break = s0 * (2.0 + s0), e_small = std::min(e_break, widest_small);
-  law.wide = fits<law_degree>(shortest, e_break);
-  law.small = fits<small_law_degree>(-e_small, e_small);
-  law.e_min = static_cast<float>(shortest);
-  law.e_break = static_cast<float>(e_break);
-  law.e_small = static_cast<float>(e_small);
+namespace {
+
+// Taylor series at e = 0 over its first term, of G, R and H.
+template <class Real, int degree>
+LawFits<Real, degree> calm_series() {
+  constexpr double G[3] = {1.0, -1.0 / 4.0, 1.0 / 8.0}, R[3] = {1.0, -1.0 / 2.0, 3.0 / 8.0},
+                   H[3] = {1.0, -3.0 / 4.0, 5.0 / 8.0};
+  static_assert(degree < 3);
+  LawFits<Real, degree> law;
+  for (int p = 0; p <= degree; ++p) {
+    law.G[p] = static_cast<Real>(G[p]);
+    law.R[p] = static_cast<Real>(R[p]);
+    law.H[p] = static_cast<Real>(H[p]);
+  }
   return law;
 }
+
+}  // namespace
+
+template <class Real>
+BondLaw<Real> make_bond_law(double s0) {
+  using Degrees = LawDegrees<Real>;
+  constexpr double shortest = -0.19;       // 10 % shorter
+  constexpr double widest_small = 0.0125;  // where the short fits are still as good as the wide ones
+  BondLaw<Real> law;
+  const double e_break = s0 * (2.0 + s0), e_small = std::min(e_break, widest_small);
+  law.wide = fits<Real, Degrees::wide>(shortest, e_break);
+  law.small = fits<Real, Degrees::small>(-e_small, e_small);
+  law.e_min = static_cast<Real>(shortest);
+  law.e_break = static_cast<Real>(e_break);
+  law.e_small = static_cast<Real>(e_small);
+  law.calm = calm_series<Real, Degrees::calm>();
+  law.e_calm = static_cast<Real>(std::min(calm_strain, 0.5 * e_small));
+  return law;
+}
+
+template BondLaw<float> make_bond_law<float>(double);
+template BondLaw<double> make_bond_law<double>(double);
 
 }  // namespace icebow

@@ -1,285 +1,380 @@
-// Included by kernel_<name>.cpp with ICEBOW_LANES defined: see kernel.h.
-//
-// Vectors are GCC's and Clang's portable vector types, so one text serves every instruction set. Everything
-// is in an unnamed namespace: two widths must never share a symbol.
-#include <cstring>
+// Included by kernel_<name>.cpp with ICEBOW_VECTOR_BYTES defined: see kernel.h.
+#include <algorithm>
 
 #include "solver/kernel.h"
-#include "solver/lattice.h"
+#include "solver/kernel_vector.h"
 
 namespace icebow {
 namespace {
 
-constexpr int lanes = ICEBOW_LANES;
-static_assert(block % lanes == 0);
+// Vectors handled together: they share the loads of a slot's constants.
+template <class Real>
+constexpr int at_once = block / Simd<Real>::lanes < 2 ? 1 : 2;
 
-typedef float VecF __attribute__((vector_size(4 * lanes)));
-typedef std::int32_t VecI __attribute__((vector_size(4 * lanes)));
-typedef float VecFUnaligned __attribute__((vector_size(4 * lanes), aligned(4), may_alias));
-
-inline VecF load(const float* p) {
-  return *reinterpret_cast<const VecFUnaligned*>(p);
-}
-inline void store(float* p, VecF v) {
-  *reinterpret_cast<VecFUnaligned*>(p) = v;
-}
-inline VecF splat(float x) {
-  return x - VecF{};
-}
-inline VecF max(VecF a, VecF b) {
-  return a > b ? a : b;
-}
-inline VecF min(VecF a, VecF b) {
-  return a < b ? a : b;
-}
-inline VecF keep(VecF v, VecI mask) {
-  return (VecF)((VecI)v & mask);
-}
-
-inline VecI lane_bits() {
-  VecI bits;
-  for (int l = 0; l < lanes; ++l) bits[l] = 1 << l;
-  return bits;
-}
-
-// Lane l of the mask is all ones where bit l of the word is set.
-inline VecI expand(unsigned word, VecI bits) {
-  return ((static_cast<int>(word) - VecI{}) & bits) != 0;
-}
-
-inline unsigned compress(VecI mask, VecI bits) {
-  const VecI set = mask & bits;
-  unsigned word = 0;
-  for (int l = 0; l < lanes; ++l) word |= static_cast<unsigned>(set[l]);
-  return word;
-}
-
-inline bool any(VecI mask) {
-  std::uint64_t part[sizeof(VecI) / 8], all = 0;
-  std::memcpy(part, &mask, sizeof mask);
-  for (std::uint64_t p : part) all |= p;
-  return all != 0;
-}
-
-// A fit with its coefficients repeated for all lanes.
-template <int n>
-struct Polynomial {
-  explicit Polynomial(const float (&coefficients)[n]) {
-    for (int power = 0; power < n; ++power) c[power] = splat(coefficients[power]);
-  }
-  VecF operator()(VecF e) const {
-    VecF p = c[n - 1];
-    for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
-    return p;
-  }
-  VecF c[n];
-};
-
-// A constant of a slot: one for all lanes in the interior, one for each near the ends of the sheet.
-template <bool per_lane>
-inline VecF constant(const float* slot, int which) {
-  if constexpr (per_lane) return load(slot + which * block);
-  return splat(slot[which]);
-}
 template <bool per_lane>
 constexpr int slot_size = constants_per_slot*(per_lane ? block : 1);
 
-// A bond seen from its higher end: minus eta, minus y, and e = q / L^2 with q = eta . (eta + 2 xi) = n . (n -
-// 2 xi).
+template <class Real, int n>
+inline typename Simd<Real>::V series(const Real (&c)[n], typename Simd<Real>::V e) {
+  typename Simd<Real>::V p = Simd<Real>::splat(c[n - 1]);
+  for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
+  return p;
+}
+
+// theta of N vectors of a calm block; returns the state of the most strained of them. One that may have left
+// intact's range within a step is called touched right away: its bonds may want to break in the next step.
+template <class Real, bool per_lane, int N>
+BlockState calm_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law,
+                      std::ptrdiff_t x, const Real* slot) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const Real *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
+  Real* const theta = f.theta + x;
+  V c0[N], c1[N], c2[N], own[N], high[N], low[N];
+  for (int v = 0; v < N; ++v) {
+    c0[v] = S::load(u0 + v * S::lanes);
+    c1[v] = S::load(u1 + v * S::lanes);
+    c2[v] = S::load(u2 + v * S::lanes);
+    own[v] = high[v] = low[v] = V{};
+  }
+  const std::ptrdiff_t* const end = t.neighbour + t.n_slots;
+  for (const std::ptrdiff_t* nb = t.neighbour; nb != end; ++nb, slot += slot_size<per_lane>) {
+    const std::ptrdiff_t n = *nb;
+    for (int v = 0; v < N; ++v) {
+      const std::ptrdiff_t o = n + v * S::lanes;
+      // q = (-eta) . (-eta - 2 xi)
+      const V m0 = c0[v] - S::load(u0 + o), m1 = c1[v] - S::load(u1 + o), m2 = c2[v] - S::load(u2 + o);
+      V q = m0 * (m0 - S::template constant<per_lane>(slot, xi2_x, v));
+      q += m1 * (m1 - S::template constant<per_lane>(slot, xi2_y, v));
+      q += m2 * (m2 - S::template constant<per_lane>(slot, xi2_z, v));
+      V term = q * S::template constant<per_lane>(slot, calm_dilatation, v);
+      if constexpr (LawDegrees<Real>::calm > 0) {
+        term *= series<Real>(law.calm.G, q * S::template constant<per_lane>(slot, inverse_L2, v));
+      }
+      own[v] += term;
+      high[v] = S::max(high[v], term);
+      low[v] = S::min(low[v], term);
+      S::store(theta + o, S::load(theta + o) + term);
+    }
+  }
+  const Real calm_limit = law.e_calm * t.theta_per_strain, small_limit = law.e_small * t.theta_per_strain;
+  typename S::Mask strained = {}, far = {};
+  for (int v = 0; v < N; ++v) {
+    S::store(theta + v * S::lanes, S::load(theta + v * S::lanes) + own[v]);
+    const V size = S::max(high[v], -low[v]);
+    strained |= size > calm_limit;
+    far |= size > small_limit;
+  }
+  if (!S::any(strained)) return calm;
+  return S::any(far) ? touched : intact;
+}
+
+template <class Real, bool per_lane, int N>
+void calm_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law,
+                std::ptrdiff_t x, const Real* slot) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const Real *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
+  const Real* const theta = f.theta + x;
+  Real *const a0 = f.acceleration[0] + x, *const a1 = f.acceleration[1] + x,
+              *const a2 = f.acceleration[2] + x;
+  V c0[N], c1[N], c2[N], own_theta[N], own0[N], own1[N], own2[N];
+  for (int v = 0; v < N; ++v) {
+    c0[v] = S::load(u0 + v * S::lanes);
+    c1[v] = S::load(u1 + v * S::lanes);
+    c2[v] = S::load(u2 + v * S::lanes);
+    own_theta[v] = S::load(theta + v * S::lanes);
+    own0[v] = own1[v] = own2[v] = V{};
+  }
+  const std::ptrdiff_t* const end = t.neighbour + t.n_slots;
+  for (const std::ptrdiff_t* nb = t.neighbour; nb != end; ++nb, slot += slot_size<per_lane>) {
+    const std::ptrdiff_t n = *nb;
+    for (int v = 0; v < N; ++v) {
+      const std::ptrdiff_t o = n + v * S::lanes;
+      const V xi0 = S::template constant<per_lane>(slot, xi_x, v),
+              xi1 = S::template constant<per_lane>(slot, xi_y, v),
+              xi2 = S::template constant<per_lane>(slot, xi_z, v);
+      // Minus eta, minus y; q = (-eta) . (-y - xi)
+      const V m0 = c0[v] - S::load(u0 + o), m1 = c1[v] - S::load(u1 + o), m2 = c2[v] - S::load(u2 + o);
+      const V y0 = m0 - xi0, y1 = m1 - xi1, y2 = m2 - xi2;
+      V q = m0 * (y0 - xi0);
+      q += m1 * (y1 - xi1);
+      q += m2 * (y2 - xi2);
+      const V thetas = own_theta[v] + S::load(theta + o);
+      V stretch = q * S::template constant<per_lane>(slot, calm_distortion, v),
+        pressure = thetas * S::template constant<per_lane>(slot, pressure_weight, v);
+      if constexpr (LawDegrees<Real>::calm > 0) {
+        const V e = q * S::template constant<per_lane>(slot, inverse_L2, v);
+        stretch *= series<Real>(law.calm.H, e);
+        pressure *= series<Real>(law.calm.R, e);
+      }
+      const V scale = stretch + pressure;
+      own0[v] -= scale * y0;
+      own1[v] -= scale * y1;
+      own2[v] -= scale * y2;
+      S::store(a0 + o, scale * y0 + S::load(a0 + o));
+      S::store(a1 + o, scale * y1 + S::load(a1 + o));
+      S::store(a2 + o, scale * y2 + S::load(a2 + o));
+    }
+  }
+  for (int v = 0; v < N; ++v) {
+    S::store(a0 + v * S::lanes, S::load(a0 + v * S::lanes) + own0[v]);
+    S::store(a1 + v * S::lanes, S::load(a1 + v * S::lanes) + own1[v]);
+    S::store(a2 + v * S::lanes, S::load(a2 + v * S::lanes) + own2[v]);
+  }
+}
+
+// A bond seen from its higher end: minus y, and e = q / L^2.
+template <class Real>
 struct Bond {
-  VecF minus_y[3];
-  VecF e;
+  typename Simd<Real>::V minus_y[3];
+  typename Simd<Real>::V e;
 };
 
-template <bool per_lane>
-inline Bond bond(const float* u0, const float* u1, const float* u2, const VecF* centre, const float* slot) {
-  const float* u[3] = {u0, u1, u2};
-  Bond b;
-  VecF q = {};
+template <class Real, bool per_lane>
+inline Bond<Real> bond(const Real* const* u, std::ptrdiff_t n, const typename Simd<Real>::V* centre,
+                       const Real* slot) {
+  using S = Simd<Real>;
+  Bond<Real> b;
+  typename S::V q = {};
   for (int c = 0; c < 3; ++c) {
-    const VecF xi = constant<per_lane>(slot, c);
-    const VecF minus_eta = centre[c] - load(u[c]);
+    const typename S::V xi = S::template constant<per_lane>(slot, xi_x + c);
+    const typename S::V minus_eta = centre[c] - S::load(u[c] + n);
     b.minus_y[c] = minus_eta - xi;
     q += minus_eta * (b.minus_y[c] - xi);
   }
-  b.e = q * constant<per_lane>(slot, inverse_L2);
+  b.e = q * S::template constant<per_lane>(slot, inverse_L2);
   return b;
 }
 
 // Bits of `lanes` particles within a 16-bit word.
+template <int lanes>
 inline unsigned part_of(std::uint16_t word, int lane0) {
   return (word >> lane0) & ((1u << lanes) - 1u);
 }
 
-// The law of a block: short fits while it is intact; and where its fits are evaluated.
-template <bool intact>
-inline const auto& fits_of(const BondLaw& law) {
-  if constexpr (intact) {
+// The fits of a block, and where they are evaluated.
+template <bool whole, class Real>
+inline const auto& fits_of(const BondLaw<Real>& law) {
+  if constexpr (whole) {
     return law.small;
   } else {
     return law.wide;
   }
 }
-template <bool intact>
-inline VecF fit_argument(VecF e, const BondLaw& law) {
-  if constexpr (intact) return e;
-  return max(e, splat(law.e_min));
+template <bool whole, class Real>
+inline typename Simd<Real>::V fit_argument(typename Simd<Real>::V e, const BondLaw<Real>& law) {
+  if constexpr (whole) return e;
+  return Simd<Real>::max(e, Simd<Real>::splat(law.e_min));
 }
 
-// theta of a block's bonds. An intact block does not look at the bits; where a bond leaves the range of the
-// short fits or wants to break, the block is marked as touched, and the bond breaks in the next step if it
-// still wants to.
-template <bool intact, bool per_lane>
-int dilatation_block(const RowFields& f, const RowTables& t, const BondLaw& law, int b) {
-  const VecI bits = lane_bits();
-  const Polynomial G(fits_of<intact>(law).G);
-  const int n_slots = t.n_slots;
-  const std::ptrdiff_t* const neighbour = t.neighbour;
+// theta of the bonds of a block that is not calm. A `whole` one (intact) has all its bonds and does not look
+// at the bits; where a bond leaves the range of the short fits or wants to break, the block becomes touched,
+// and the bond breaks in the next step if it still wants to.
+template <class Real, bool whole, bool per_lane>
+int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+                const Real* constants) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  using Mask = typename S::Mask;
+  const Mask bits = S::lane_bits();
+  const typename S::template Polynomial<LawDegrees<Real>::wide + 1> wide_G(law.wide.G);
+  const typename S::template Polynomial<LawDegrees<Real>::small + 1> small_G(law.small.G);
   std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-  const VecF e_break = splat(law.e_break);
-  VecF e_max = {}, e_min = {};
+  V e_max = {}, e_min = {};
   int broken = 0;
-  for (int lane0 = 0; lane0 < block; lane0 += lanes) {
+  for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-    const float *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
-    const VecF centre[3] = {load(u0), load(u1), load(u2)};
-    float* const theta = f.theta + x;
-    const float* slot = per_lane ? t.ends[b] + lane0 : t.interior;
-    VecF own = {};
-    for (int s = 0; s < n_slots; ++s, slot += slot_size<per_lane>) {
+    const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
+    const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
+    Real* const theta = f.theta + x;
+    const Real* slot = constants + (per_lane ? lane0 : 0);
+    V own = {};
+    for (int s = 0; s < t.n_slots; ++s, slot += slot_size<per_lane>) {
       unsigned alive = 0;
-      if constexpr (!intact) {
-        alive = part_of(words[s], lane0);
+      if constexpr (!whole) {
+        alive = part_of<S::lanes>(words[s], lane0);
         if (!alive) continue;
+      } else if constexpr (!per_lane) {
+        if (slot[dilatation_weight] == 0) continue;  // beyond the far side
       }
-      const std::ptrdiff_t n = neighbour[s];
-      const Bond bd = bond<per_lane>(u0 + n, u1 + n, u2 + n, centre, slot);
-      VecF term = constant<per_lane>(slot, dilatation_weight) * (bd.e * G(fit_argument<intact>(bd.e, law)));
-      if constexpr (intact) {
-        e_max = max(e_max, bd.e);
-        e_min = min(e_min, bd.e);
+      const std::ptrdiff_t n = t.neighbour[s];
+      const Bond<Real> bd = bond<Real, per_lane>(u, n, centre, slot);
+      const V weight = S::template constant<per_lane>(slot, dilatation_weight);
+      V term;
+      if constexpr (whole) {
+        const V e = per_lane ? S::keep(bd.e, weight != V{}) : bd.e;
+        term = weight * (e * small_G(e));
+        e_max = S::max(e_max, e);
+        e_min = S::min(e_min, e);
       } else {
-        const VecI mask = expand(alive, bits);
-        const VecI breaks = mask & (bd.e > e_break);
-        if (__builtin_expect(any(breaks), 0)) {
-          const unsigned gone = compress(breaks, bits);
+        term = weight * (bd.e * wide_G(fit_argument<false, Real>(bd.e, law)));
+        const Mask mask = S::expand(alive, bits);
+        const Mask breaks = mask & (bd.e > S::splat(law.e_break));
+        if (__builtin_expect(S::any(breaks), 0)) {
+          const unsigned gone = S::compress(breaks, bits);
           words[s] = static_cast<std::uint16_t>(words[s] & ~(gone << lane0));
           broken += __builtin_popcount(gone);
         }
-        term = keep(term, mask & ~breaks);
+        term = S::keep(term, mask & ~breaks);
       }
       own += term;
-      store(theta + n, load(theta + n) + term);
+      S::store(theta + n, S::load(theta + n) + term);
     }
-    store(theta, load(theta) + own);
+    S::store(theta, S::load(theta) + own);
   }
-  if (intact && any((e_max > law.e_small) | (e_min < -law.e_small))) f.touched[b] = 1;
+  if constexpr (whole) {
+    if (S::any((e_max > law.e_small) | (e_min < -law.e_small))) {
+      f.state[b] = touched;
+    } else if (!S::any((e_max > law.e_calm / 2) | (e_min < -law.e_calm / 2))) {
+      f.state[b] = calm;
+    }
+  }
   return broken;
 }
 
-int dilatation(const RowFields* rows, const RowTables* tables, int nz, const BondLaw& law, int owned_blocks) {
+template <class Real, bool per_lane>
+int theta_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+                   const Real* constants) {
+  if (f.state[b] == touched) return block_theta<Real, false, per_lane>(f, t, law, b, constants);
+  if (f.state[b] == intact) return block_theta<Real, true, per_lane>(f, t, law, b, constants);
+  constexpr int N = at_once<Real>, step = N * Simd<Real>::lanes;
+  BlockState state = calm;
+  for (int lane0 = 0; lane0 < block; lane0 += step) {
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    state = std::max(state, calm_theta<Real, per_lane, N>(f, t, law, x, constants + (per_lane ? lane0 : 0)));
+  }
+  f.state[b] = state;
+  return 0;
+}
+
+template <class Real>
+int dilatation(const RowFields<Real>* rows, const RowTables<Real>* tables, int nz, const BondLaw<Real>& law,
+               int owned_blocks) {
   int broken = 0;
   for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
     int in_block = 0;
     for (int k = 0; k < nz; ++k) {
-      const RowFields& f = rows[k];
-      const RowTables& t = tables[k];
-      if (t.ends[b]) {
-        in_block += dilatation_block<false, true>(f, t, law, b);
-      } else if (f.touched[b]) {
-        in_block += dilatation_block<false, false>(f, t, law, b);
-      } else {
-        dilatation_block<true, false>(f, t, law, b);
-      }
+      const RowTables<Real>& t = tables[k];
+      in_block += t.ends[b] ? theta_by_state<Real, true>(rows[k], t, law, b, t.ends[b])
+                            : theta_by_state<Real, false>(rows[k], t, law, b, t.interior);
     }
     if (b >= 0 && b < owned_blocks) broken += in_block;
   }
   return broken;
 }
 
-template <bool intact, bool per_lane>
-void force_block(const RowFields& f, const RowTables& t, const BondLaw& law, int b) {
-  const VecI bits = lane_bits();
-  const Polynomial R(fits_of<intact>(law).R), H(fits_of<intact>(law).H);
-  const int n_slots = t.n_slots;
-  const std::ptrdiff_t* const neighbour = t.neighbour;
+template <class Real, bool whole, bool per_lane>
+void block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+                 const Real* constants) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  constexpr int n = (whole ? LawDegrees<Real>::small : LawDegrees<Real>::wide) + 1;
+  const typename S::Mask bits = S::lane_bits();
+  const typename S::template Polynomial<n> R(fits_of<whole>(law).R), H(fits_of<whole>(law).H);
   const std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-  for (int lane0 = 0; lane0 < block; lane0 += lanes) {
+  for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-    const float *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
-    const float* const theta = f.theta + x;
-    float* const a[3] = {f.acceleration[0] + x, f.acceleration[1] + x, f.acceleration[2] + x};
-    const VecF centre[3] = {load(u0), load(u1), load(u2)};
-    const VecF own_theta = load(theta);
-    const float* slot = per_lane ? t.ends[b] + lane0 : t.interior;
-    VecF own[3] = {};
-    for (int s = 0; s < n_slots; ++s, slot += slot_size<per_lane>) {
+    const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
+    const Real* const theta = f.theta + x;
+    Real* const a[3] = {f.acceleration[0] + x, f.acceleration[1] + x, f.acceleration[2] + x};
+    const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
+    const V own_theta = S::load(theta);
+    const Real* slot = constants + (per_lane ? lane0 : 0);
+    V own[3] = {};
+    for (int s = 0; s < t.n_slots; ++s, slot += slot_size<per_lane>) {
       unsigned alive = 0;
-      if constexpr (!intact) {
-        alive = part_of(words[s], lane0);
+      if constexpr (!whole) {
+        alive = part_of<S::lanes>(words[s], lane0);
         if (!alive) continue;
       }
-      const std::ptrdiff_t n = neighbour[s];
-      const Bond bd = bond<per_lane>(u0 + n, u1 + n, u2 + n, centre, slot);
-      const VecF e = fit_argument<intact>(bd.e, law);
-      const VecF pressure = constant<per_lane>(slot, pressure_weight) * (own_theta + load(theta + n));
-      VecF scale = pressure * R(e) + constant<per_lane>(slot, distortion_weight) * (bd.e * H(e));
-      if constexpr (!intact) scale = keep(scale, expand(alive, bits));
+      const std::ptrdiff_t o = t.neighbour[s];
+      const Bond<Real> bd = bond<Real, per_lane>(u, o, centre, slot);
+      const V e = fit_argument<whole, Real>(bd.e, law);
+      const V pressure =
+          S::template constant<per_lane>(slot, pressure_weight) * (own_theta + S::load(theta + o));
+      V scale = pressure * R(e) + S::template constant<per_lane>(slot, distortion_weight) * (bd.e * H(e));
+      if constexpr (!whole) scale = S::keep(scale, S::expand(alive, bits));
       for (int c = 0; c < 3; ++c) {
         own[c] -= scale * bd.minus_y[c];
-        store(a[c] + n, load(a[c] + n) + scale * bd.minus_y[c]);
+        S::store(a[c] + o, S::load(a[c] + o) + scale * bd.minus_y[c]);
       }
     }
-    for (int c = 0; c < 3; ++c) store(a[c], load(a[c]) + own[c]);
+    for (int c = 0; c < 3; ++c) S::store(a[c], S::load(a[c]) + own[c]);
   }
 }
 
-void force(const RowFields* rows, const RowTables* tables, int nz, const BondLaw& law) {
+template <class Real, bool per_lane>
+void force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+                    const Real* constants) {
+  if (f.state[b] == touched) return block_force<Real, false, per_lane>(f, t, law, b, constants);
+  if (f.state[b] == intact) return block_force<Real, true, per_lane>(f, t, law, b, constants);
+  constexpr int N = at_once<Real>, step = N * Simd<Real>::lanes;
+  for (int lane0 = 0; lane0 < block; lane0 += step) {
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    calm_force<Real, per_lane, N>(f, t, law, x, constants + (per_lane ? lane0 : 0));
+  }
+}
+
+template <class Real>
+void force(const RowFields<Real>* rows, const RowTables<Real>* tables, int nz, const BondLaw<Real>& law) {
   for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
     for (int k = 0; k < nz; ++k) {
-      const RowFields& f = rows[k];
-      const RowTables& t = tables[k];
+      const RowTables<Real>& t = tables[k];
       if (t.ends[b]) {
-        force_block<false, true>(f, t, law, b);
-      } else if (f.touched[b]) {
-        force_block<false, false>(f, t, law, b);
+        force_by_state<Real, true>(rows[k], t, law, b, t.ends[b]);
       } else {
-        force_block<true, false>(f, t, law, b);
+        force_by_state<Real, false>(rows[k], t, law, b, t.interior);
       }
     }
   }
 }
 
-void drift(const DriftRow& r, const DriftSettings& d) {
+template <class Real>
+void drift(const DriftRow<Real>& r, const DriftSettings& d) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const Real dt = static_cast<Real>(d.dt), gravity = static_cast<Real>(d.gravity),
+             lift = static_cast<Real>(d.lift), inverse_dx = static_cast<Real>(d.inverse_dx);
+  Real lo[3], hi[3];
+  for (int c = 0; c < 3; ++c) {
+    lo[c] = static_cast<Real>(d.box_lo[c]);
+    hi[c] = static_cast<Real>(d.box_hi[c]);
+  }
   for (int b = 0; b < r.blocks; ++b) {
-    VecI inside = {};
-    for (int x = b * block; x < (b + 1) * block; x += lanes) {
-      const VecF mobile = load(r.mobile + x);
-      const VecF depth = (-(load(r.u[2] + x) + r.z)) * d.inverse_dx + 0.5f;
-      const VecF submerged = min(max(depth, VecF{}), splat(1.0f));
-      const VecF weight_and_lift = d.lift * submerged - d.gravity;
-      store(r.theta + x, VecF{});
-      const VecF reference[3] = {load(r.x + x), splat(r.y), splat(r.z)};
-      VecI in_box = (VecI)(mobile != 0.0f);
+    typename S::Mask inside = {};
+    for (int x = b * block; x < (b + 1) * block; x += S::lanes) {
+      const V mobile = S::load(r.mobile + x);
+      const V depth = (-(S::load(r.u[2] + x) + r.z)) * inverse_dx + Real(0.5);
+      const V submerged = S::min(S::max(depth, V{}), S::splat(1));
+      const V weight_and_lift = lift * submerged - gravity;
+      S::store(r.theta + x, V{});
+      const V reference[3] = {S::load(r.x + x), S::splat(r.y), S::splat(r.z)};
+      typename S::Mask in_box = (mobile != V{});
       for (int c = 0; c < 3; ++c) {
-        VecF a = load(r.acceleration[c] + x);
+        V a = S::load(r.acceleration[c] + x);
         if (c == 2) a += weight_and_lift;
-        store(r.acceleration[c] + x, VecF{});
-        const VecF v = (load(r.v[c] + x) + d.dt * a) * mobile;
-        store(r.v[c] + x, v);
+        S::store(r.acceleration[c] + x, V{});
+        const V v = (S::load(r.v[c] + x) + dt * a) * mobile;
+        S::store(r.v[c] + x, v);
         // Neumaier-style compensated sum: steps of 1e-5 m on displacements of a metre.
-        const VecF u = load(r.u[c] + x);
-        const VecF step = d.dt * v + load(r.residual[c] + x);
-        const VecF sum = u + step;
-        store(r.residual[c] + x, step - (sum - u));
-        store(r.u[c] + x, sum);
-        const VecF position = reference[c] + sum;
-        in_box &= (position > d.box_lo[c]) & (position < d.box_hi[c]);
+        const V u = S::load(r.u[c] + x);
+        const V step = dt * v + S::load(r.residual[c] + x);
+        const V sum = u + step;
+        S::store(r.residual[c] + x, step - (sum - u));
+        S::store(r.u[c] + x, sum);
+        const V position = reference[c] + sum;
+        in_box &= (position > lo[c]) & (position < hi[c]);
       }
       inside |= in_box;
     }
-    r.near_hull[b] = any(inside);
+    r.near_hull[b] = S::any(inside);
   }
+}
+
+template <class Real>
+constexpr Passes<Real> passes() {
+  return {dilatation<Real>, force<Real>, drift<Real>};
 }
 
 }  // namespace

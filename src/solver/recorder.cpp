@@ -24,7 +24,7 @@ Motion motion(const IceSheet& sheet, double mass, double quantum) {
       const std::size_t row = layout.row(jl, k);
       for (int l = 0; l < layout.blocks * block; ++l) {
         double v2 = 0.0;
-        for (const Field& v : sheet.v) v2 += double(v[row + l]) * v[row + l];
+        for (const Field& v : sheet.v) v2 += v[row + l] * v[row + l];
         if (!(v2 < 1e12)) v2 = 1e12;
         m.energy_quanta += std::llround(std::min(0.5 * mass * v2 / quantum, 1e12));
         if (v2 > m.fastest * m.fastest) {

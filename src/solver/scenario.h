@@ -33,12 +33,15 @@ enum class ContactRule {
   penalty      // spring of stiffness E dx
 };
 
+enum class Precision { fp32, fp64 };  // of the particles' fields; sums over the sheet are exact in both
+
 struct Numerics {
   double dx = 0.0;             //!< lattice spacing [m]
   double horizon_ratio = 3.0;  //!< horizon / dx
   double dt = 0.0;             //!< time step [s]; 0 = dt_fraction of the stability limit
   double dt_fraction = 0.8;
   bool surface_correction = true;
+  Precision precision = Precision::fp32;
   ContactRule contact = ContactRule::relocation;
   int ranks_along_x = 0;  // MPI ranks along the ship's course; 0 = the smallest halo decides
   double friction = 0.0;  //!< hull-ice Coulomb coefficient

@@ -1,9 +1,5 @@
 #include "solver/sheet.h"
 
-#include <cstdlib>
-#include <cstring>
-#include <new>
-
 namespace icebow {
 namespace {
 
@@ -12,20 +8,6 @@ namespace {
 constexpr int held_columns = reach;
 
 }  // namespace
-
-Field::Field(std::size_t n, int stagger) {
-  constexpr std::size_t line = 64, lines_apart = 5;
-  const std::size_t offset = stagger * lines_apart * line;
-  const std::size_t bytes = offset + (n * sizeof(float) + line - 1) / line * line;
-  memory_.reset(static_cast<float*>(std::aligned_alloc(line, bytes)));
-  if (!memory_) throw std::bad_alloc();
-  std::memset(memory_.get(), 0, bytes);
-  data_ = memory_.get() + offset / sizeof(float);
-}
-
-void Field::Free::operator()(float* p) const {
-  std::free(p);
-}
 
 BondBits::BondBits(const Lattice& lattice, const Layout& layout, const Stencil& stencil)
     : blocks_(layout.blocks),
@@ -68,28 +50,42 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       layout(l, p),
       stencil(make_stencil(l.nz, l.dx, material.delta)),
       kernel(kernels_used),
-      u{Field(layout.size, 0), Field(layout.size, 1), Field(layout.size, 2)},
-      v{Field(layout.size, 3), Field(layout.size, 4), Field(layout.size, 5)},
-      residual{Field(layout.size, 6), Field(layout.size, 7), Field(layout.size, 8)},
-      acceleration{Field(layout.size, 9), Field(layout.size, 10), Field(layout.size, 11)},
-      theta(layout.size, 12),
+      precision(s.numerics.precision),
+      u{{layout.size, precision, 0}, {layout.size, precision, 1}, {layout.size, precision, 2}},
+      v{{layout.size, precision, 3}, {layout.size, precision, 4}, {layout.size, precision, 5}},
+      residual{{layout.size, precision, 6}, {layout.size, precision, 7}, {layout.size, precision, 8}},
+      acceleration{{layout.size, precision, 9}, {layout.size, precision, 10}, {layout.size, precision, 11}},
+      theta(layout.size, precision, 12),
       bits(l, layout, stencil),
       fixed_(s.sheet.fixed),
-      tables_(l, layout, stencil, material, {s.numerics.surface_correction, s.ice.rho}),
-      touched_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2)),
-      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
+      work_(make_work(s, material)),
+      state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
+      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {}
+
+std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
+    const Scenario& s, const Material& material) const {
+  if (precision == Precision::fp64) return make_work<double>(s, material);
+  return make_work<float>(s, material);
+}
+
+template <class Real>
+IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
+  Work<Real> work{
+      make_bond_law<Real>(material.s0),
+      BondTables<Real>(lattice, layout, stencil, material, {s.numerics.surface_correction, s.ice.rho}),
+      {},
+      {},
+      {},
+      {},
+      {}};
   for (int local = 0; local < layout.blocks * block; ++local) {
     const int i = layout.i0 + local;
-    const bool far_end = fixed_ == FixedEdges::sides_and_far && i >= l.nx - held_columns;
-    reference_x_.push_back(static_cast<float>(l.x(i)));
-    mobile_x_.push_back(i < l.nx && !far_end ? 1.0f : 0.0f);
-    nothing_mobile_.push_back(0.0f);
+    const bool far_end = fixed_ == FixedEdges::sides_and_far && i >= lattice.nx - held_columns;
+    work.reference_x.push_back(static_cast<Real>(lattice.x(i)));
+    work.mobile_x.push_back(i < lattice.nx && !far_end ? Real(1) : Real(0));
+    work.nothing_mobile.push_back(Real(0));
   }
-  // Near the far side some bonds to higher columns are missing: those blocks look at the bits from the start.
-  for (int jl = -reach; jl < layout.columns; ++jl) {
-    if (layout.j0 + jl < l.ny - reach) continue;
-    for (int k = 0; k < l.nz; ++k) std::memset(touched(jl, k) - 1, 1, layout.blocks + 2);
-  }
+  return work;
 }
 
 bool IceSheet::held(int i, int j) const {
@@ -98,64 +94,85 @@ bool IceSheet::held(int i, int j) const {
   return j < held_columns || j >= lattice.ny - held_columns;
 }
 
-RowFields IceSheet::fields(int jl, int k) {
+std::size_t IceSheet::bytes() const {
+  return 13 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size();
+}
+
+template <class Real>
+RowFields<Real> IceSheet::fields(int jl, int k) {
   const std::size_t r = layout.row(jl, k);
-  return {{u[0].data() + r, u[1].data() + r, u[2].data() + r},
-          {acceleration[0].data() + r, acceleration[1].data() + r, acceleration[2].data() + r},
-          theta.data() + r,
+  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  return {{at(u[0]), at(u[1]), at(u[2])},
+          {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+          at(theta),
           bits.row(jl, k),
           bits.per_block(),
-          touched(jl, k),
+          state(jl, k),
           partition.west >= 0 ? -1 : 0,
           layout.blocks + (partition.east >= 0 ? 1 : 0)};
 }
 
-void IceSheet::drift(const DriftSettings& settings) {
-  for (int jl = 0; jl < layout.columns; ++jl) {
-    const bool moves = !held(0, layout.j0 + jl);
-    for (int k = 0; k < layout.nz; ++k) {
-      const std::size_t r = layout.row(jl, k);
-      kernel.drift({{u[0].data() + r, u[1].data() + r, u[2].data() + r},
-                    {v[0].data() + r, v[1].data() + r, v[2].data() + r},
-                    {residual[0].data() + r, residual[1].data() + r, residual[2].data() + r},
-                    {acceleration[0].data() + r, acceleration[1].data() + r, acceleration[2].data() + r},
-                    theta.data() + r,
-                    reference_x_.data(),
-                    moves ? mobile_x_.data() : nothing_mobile_.data(),
-                    static_cast<float>(lattice.y(layout.j0 + jl)),
-                    static_cast<float>(lattice.z(k)),
-                    &near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks],
-                    layout.blocks},
-                   settings);
-    }
+template <class Real>
+void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& settings, int jl) {
+  const bool moves = !held(0, layout.j0 + jl);
+  for (int k = 0; k < layout.nz; ++k) {
+    const std::size_t r = layout.row(jl, k);
+    const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+    kernel.passes<Real>().drift({{at(u[0]), at(u[1]), at(u[2])},
+                                 {at(v[0]), at(v[1]), at(v[2])},
+                                 {at(residual[0]), at(residual[1]), at(residual[2])},
+                                 {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+                                 at(theta),
+                                 work.reference_x.data(),
+                                 moves ? work.mobile_x.data() : work.nothing_mobile.data(),
+                                 static_cast<Real>(lattice.y(layout.j0 + jl)),
+                                 static_cast<Real>(lattice.z(k)),
+                                 &near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks],
+                                 layout.blocks},
+                                settings);
   }
 }
 
-std::int64_t IceSheet::dilatation(const BondLaw& law) {
-  std::int64_t broken = 0;
-  for (int jl = first_row(); jl < layout.columns; ++jl) {
-    select_column(jl);
-    const int in_column =
-        kernel.dilatation(column_fields_.data(), column_tables_.data(), layout.nz, law, layout.blocks);
-    if (jl >= 0) broken += in_column;
+void IceSheet::drift(const DriftSettings& settings, int jl0, int jl1) {
+  std::visit(
+      [&](const auto& work) {
+        for (int jl = jl0; jl < jl1; ++jl) drift_column(work, settings, jl);
+      },
+      work_);
+}
+
+template <class Real>
+void IceSheet::select_column(Work<Real>& work, int jl) {
+  work.fields.clear();
+  work.row_tables.clear();
+  for (int k = 0; k < layout.nz; ++k) {
+    work.fields.push_back(fields<Real>(jl, k));
+    work.row_tables.push_back(work.tables.row(jl, k));
   }
+}
+
+std::int64_t IceSheet::dilatation(int jl0, int jl1) {
+  std::int64_t broken = 0;
+  const auto pass = [&](auto& work) {
+    for (int jl = jl0; jl < jl1; ++jl) {
+      select_column(work, jl);
+      const int in_column = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
+                                                       work.law, layout.blocks);
+      if (jl >= 0) broken += in_column;
+    }
+  };
+  std::visit(pass, work_);
   return broken;
 }
 
-void IceSheet::force(const BondLaw& law) {
-  for (int jl = first_row(); jl < layout.columns; ++jl) {
-    select_column(jl);
-    kernel.force(column_fields_.data(), column_tables_.data(), layout.nz, law);
-  }
-}
-
-void IceSheet::select_column(int jl) {
-  column_fields_.clear();
-  column_tables_.clear();
-  for (int k = 0; k < layout.nz; ++k) {
-    column_fields_.push_back(fields(jl, k));
-    column_tables_.push_back(tables_.row(jl, k));
-  }
+void IceSheet::force(int jl0, int jl1) {
+  const auto pass = [&](auto& work) {
+    for (int jl = jl1 - 1; jl >= jl0; --jl) {
+      select_column(work, jl);
+      passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+    }
+  };
+  std::visit(pass, work_);
 }
 
 }  // namespace icebow

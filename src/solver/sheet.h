@@ -2,32 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "solver/bond_tables.h"
+#include "solver/field.h"
 #include "solver/kernel.h"
 #include "solver/lattice.h"
 #include "solver/scenario.h"
 #include "solver/stencil.h"
 
 namespace icebow {
-
-// Zeroed floats on a cache-line boundary. Fields that are walked together take different `stagger`s: arrays
-// that all start at the same place of a page would compete for the same few cache sets.
-class Field {
- public:
-  explicit Field(std::size_t n, int stagger = 0);
-  float* data() const { return data_; }
-  float& operator[](std::size_t i) const { return data_[i]; }
-
- private:
-  struct Free {
-    void operator()(float* p) const;
-  };
-  std::unique_ptr<float[], Free> memory_;
-  float* data_;
-};
 
 // Alive bonds, each once, at its lower end: one word of 16 particles for each block and column slot. Rows jl
 // = -reach .. columns - 1 and blocks -1 .. blocks: a rank also follows the bonds that reach into its part.
@@ -61,15 +47,27 @@ class IceSheet {
   const Layout layout;
   const Stencil stencil;
   const Kernels& kernel;
+  const Precision precision;
 
   Field u[3], v[3], residual[3], acceleration[3], theta;
   BondBits bits;
 
-  // Passes in the order of a step. `settings.box_*` is where the hull may be.
-  void drift(const DriftSettings& settings);    // v += dt (bonds + g); u += dt v; finds blocks near the hull
-  std::int64_t dilatation(const BondLaw& law);  // breaks bonds; returns how many of this rank's own did
-  void force(const BondLaw& law);               // the bonds' part of the acceleration
+  // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. The
+  // drift may take the owned columns in any order; the dilatation takes them upwards, the force downwards,
+  // both from or to first_column(), so that a step can wait for its neighbours as late as possible.
+  void drift(const DriftSettings& settings, int jl0, int jl1);  // v += dt (bonds + g); u += dt v
+  std::int64_t dilatation(int jl0, int jl1);  // breaks bonds; returns how many of this rank's own did
+  void force(int jl0, int jl1);               // the bonds' part of the acceleration
 
+  // Whole passes.
+  void drift(const DriftSettings& settings) { drift(settings, 0, layout.columns); }
+  std::int64_t dilatation() { return dilatation(first_column(), layout.columns); }
+  void force() { force(first_column(), layout.columns); }
+
+  // The lowest column whose bonds reach into this rank's part.
+  int first_column() const { return partition.south >= 0 ? -reach : 0; }
+
+  // Found by the drift: blocks with a particle in the box its settings name.
   bool near_hull(int jl, int k, int b) const {
     return near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks + b];
   }
@@ -78,21 +76,48 @@ class IceSheet {
     return !held(layout.i0 + local_i, layout.j0 + jl) && layout.i0 + local_i < lattice.nx;
   }
 
- private:
-  RowFields fields(int jl, int k);
-  void select_column(int jl);
-  std::uint8_t* touched(int jl, int k) {
-    return &touched_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
+  // BlockState of the blocks -1 .. blocks of a row; rows jl = -reach .. columns - 1.
+  std::uint8_t* state(int jl, int k) {
+    return &state_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
   }
-  int first_row() const { return partition.south >= 0 ? -reach : 0; }
+  const std::uint8_t* state(int jl, int k) const { return const_cast<IceSheet*>(this)->state(jl, k); }
+
+  // Bonds' constants; Real must be of the sheet's precision.
+  template <class Real>
+  const BondTables<Real>& tables() const {
+    return std::get<Work<Real>>(work_).tables;
+  }
+
+  std::size_t bytes() const;  // of everything that grows with the number of particles
+
+ private:
+  // What the passes need in one precision.
+  template <class Real>
+  struct Work {
+    BondLaw<Real> law;
+    BondTables<Real> tables;
+    std::vector<RowFields<Real>> fields;      // of the current column, by layer
+    std::vector<RowTables<Real>> row_tables;  // likewise
+    std::vector<Real> reference_x, mobile_x, nothing_mobile;
+  };
+  template <class Real>
+  Work<Real> make_work(const Scenario& scenario, const Material& material) const;
+  std::variant<Work<float>, Work<double>> make_work(const Scenario& scenario, const Material& material) const;
+  template <class Real>
+  void drift_column(const Work<Real>& work, const DriftSettings& settings, int jl);
+  template <class Real>
+  void select_column(Work<Real>& work, int jl);
+  template <class Real>
+  RowFields<Real> fields(int jl, int k);
+  template <class Real>
+  const Passes<Real>& passes_of(const Work<Real>&) const {
+    return kernel.passes<Real>();
+  }
 
   FixedEdges fixed_;
-  BondTables tables_;
-  std::vector<std::uint8_t> touched_;     // ghost rows and blocks included
-  std::vector<std::uint8_t> near_hull_;   // own blocks
-  std::vector<RowFields> column_fields_;  // of the selected column, by layer
-  std::vector<RowTables> column_tables_;
-  std::vector<float> reference_x_, mobile_x_, nothing_mobile_;
+  std::variant<Work<float>, Work<double>> work_;
+  std::vector<std::uint8_t> state_;      // ghost rows and blocks included
+  std::vector<std::uint8_t> near_hull_;  // own blocks
 };
 
 }  // namespace icebow

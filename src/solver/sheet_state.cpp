@@ -27,7 +27,12 @@ std::vector<char> packed(const IceSheet& sheet) {
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
       const std::size_t row = layout.row(jl, k), n = std::size_t(layout.blocks) * block;
-      for (const Field& u : sheet.u) append(bytes, u.data() + row, n);
+      for (const Field& u : sheet.u) {
+        for (std::size_t p = row; p < row + n; ++p) {
+          const float value = static_cast<float>(u.get(p));
+          append(bytes, &value, 1);
+        }
+      }
     }
     append(bytes, sheet.bits.row(jl, 0), std::size_t(layout.blocks) * sheet.bits.per_block());
   }

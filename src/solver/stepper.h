@@ -35,12 +35,15 @@ class Stepper {
 
  private:
   void set_hull_box();
+  void move(int jl0, int jl1);  // drift and contact of columns
+  void move_and_send();
+  void dilate();
+  void accelerate();
 
   double dt_, V_, start_x_;
   Material material_;
-  BondLaw law_;
   IceSheet sheet_;
-  Halo halo_;
+  Halo displacements_, dilatations_;  // of the neighbouring ranks
   HullContact contact_;
   Box hull_box_;
   DriftSettings drift_{};

@@ -25,10 +25,11 @@ class IceBlock {
                     const Kernels& kernel = kernels())
       : lattice(make_lattice(s)),
         material(make_material(s.ice, s.numerics.dx, s.numerics.horizon_ratio)),
-        law(make_bond_law(material.s0)),
         comm_(comm),
         sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material, kernel),
-        halo_(comm_, sheet.partition, sheet.layout) {}
+        displacements_(comm_, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
+                       ghost_blocks, 0),
+        dilatations_(comm_, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1) {}
 
   using Function = std::function<Vec3(const Vec3&)>;
 
@@ -44,20 +45,20 @@ class IceBlock {
   void displace(const Function& u) {
     for_each([&](int i, int j, int k, std::size_t p) {
       const Vec3 value = u(position(i, j, k));
-      for (int c = 0; c < 3; ++c) sheet.u[c][p] = static_cast<float>(value[c]);
+      for (int c = 0; c < 3; ++c) sheet.u[c][p] = value[c];
     });
   }
 
   // Dilatation and force of the displacements as they are; returns how many bonds broke.
   std::int64_t accelerate() {
     for (std::size_t p = 0; p < sheet.layout.size; ++p) {
-      sheet.theta[p] = 0.0f;
-      for (Field& a : sheet.acceleration) a[p] = 0.0f;
+      sheet.theta[p] = 0.0;
+      for (Field& a : sheet.acceleration) a[p] = 0.0;
     }
-    halo_.exchange({sheet.u[0].data(), sheet.u[1].data(), sheet.u[2].data()});
-    const std::int64_t broken = sheet.dilatation(law);
-    halo_.exchange({sheet.theta.data()});
-    sheet.force(law);
+    displacements_.exchange();
+    const std::int64_t broken = sheet.dilatation();
+    dilatations_.exchange();
+    sheet.force();
     return broken;
   }
   Vec3 acceleration(std::size_t p) const {
@@ -72,7 +73,6 @@ class IceBlock {
 
   const Lattice lattice;
   const Material material;
-  BondLaw law;
 
  private:
   Communicator comm_;
@@ -81,7 +81,7 @@ class IceBlock {
   IceSheet sheet;
 
  private:
-  Halo halo_;
+  Halo displacements_, dilatations_;
 };
 
 }  // namespace icebow

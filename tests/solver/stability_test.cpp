@@ -19,12 +19,12 @@ double speed_after(double dt, int steps) {
     for (Field& v : b.sheet.v) v[p] = uniform(random);
   });
   DriftSettings drift{};
-  drift.dt = static_cast<float>(dt);
-  drift.inverse_dx = static_cast<float>(1.0 / b.lattice.dx);
+  drift.dt = dt;
+  drift.inverse_dx = 1.0 / b.lattice.dx;
   for (int n = 0; n < steps; ++n) {
     b.sheet.drift(drift);
-    b.sheet.dilatation(b.law);
-    b.sheet.force(b.law);
+    b.sheet.dilatation();
+    b.sheet.force();
   }
   double fastest = 0.0;
   b.for_each([&](int, int, int, std::size_t p) { fastest = std::max(fastest, b.velocity(p).norm()); });

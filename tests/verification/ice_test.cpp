@@ -15,17 +15,17 @@ class Motion {
  public:
   Motion(IceBlock& ice, const Scenario& s, double g) : ice_(ice) {
     dt_ = 0.8 * stable_time_step(ice.sheet.stencil, ice.material, ice.lattice.dx, s.ice.rho, true);
-    drift_.dt = static_cast<float>(dt_);
-    drift_.gravity = static_cast<float>(g);
-    drift_.lift = static_cast<float>(g * s.water.rho / s.ice.rho);
-    drift_.inverse_dx = static_cast<float>(1.0 / ice.lattice.dx);
+    drift_.dt = dt_;
+    drift_.gravity = g;
+    drift_.lift = g * s.water.rho / s.ice.rho;
+    drift_.inverse_dx = 1.0 / ice.lattice.dx;
   }
   template <class Watch>
   void run(double end, Watch watch) {
     for (double t = dt_; t < end; t += dt_) {
       ice_.sheet.drift(drift_);
-      ice_.sheet.dilatation(ice_.law);
-      ice_.sheet.force(ice_.law);
+      ice_.sheet.dilatation();
+      ice_.sheet.force();
       if (!watch(t)) return;
     }
   }
