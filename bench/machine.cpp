@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <set>
@@ -80,6 +80,13 @@ std::string mpi_version() {
   return version.substr(0, version.find_first_of(",\n"));
 }
 
+// Of the last minute: tells whether the machine was quiet.
+double load_average() {
+  double load = -1.0;
+  getloadavg(&load, 1);
+  return load;
+}
+
 std::string date() {
   const std::time_t now = std::time(nullptr);
   char text[32];
@@ -101,6 +108,7 @@ nlohmann::json machine_context() {
           {"kernel", kernels().name},
           {"kernel_bits", 8 * static_cast<int>(sizeof(float)) * kernels().lanes},
           {"mpi", mpi_version()},
+          {"load_average", load_average()},
           {"date", date()}};
 }
 

@@ -148,6 +148,7 @@ def main():
     if not program:
         print("peers: LAMMPS (`lmp` or `lammps`) is not installed; on Debian: apt-get install lammps", file=sys.stderr)
         sys.exit(77)
+    before = machine()
     peer, own = best_runs(program, options)
     result = {
         "benchmark": "peers",
@@ -156,7 +157,7 @@ def main():
         "lammps": summary(peer, ("version", "particles", "bonds", "bytes_per_particle")),
         "icebow": summary(own, ("kernel", "particles", "bonds", "bytes_per_particle", "dt_s")),
         "oversubscribed": max(options.ranks) > usable_cores(),
-        "machine": machine(),
+        "machine": before,
     }
     print(json.dumps(result, indent=2)) if options.json else print_table(result)
     if not result["same_bonds"]:

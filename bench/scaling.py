@@ -73,11 +73,12 @@ def parse():
 
 def main():
     options = parse()
+    before = machine()
     table = list(rows(measure(options)))
     oversubscribed = max(options.ranks) > usable_cores()
     if options.json:
         print(json.dumps({"benchmark": "scaling", "rows": table, "oversubscribed": oversubscribed,
-                          "machine": machine()}, indent=2))
+                          "machine": before}, indent=2))
     else:
         print_table(table, oversubscribed)
 
