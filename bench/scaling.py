@@ -12,12 +12,13 @@ import json
 from launch import announce, kernel, machine, positive, rank_counts, run_main, usable_cores
 
 NX, NY, NZ = 500, 250, 3
+NARROWEST = 32  # particles along x that a rank needs (src/solver/lattice.h: two blocks)
 
 
 def cases(ranks):
     """(scaling, rank, ranks along x, width) of every run."""
     for n in ranks:
-        for along_x in (p for p in range(1, n + 1) if n % p == 0):
+        for along_x in (p for p in range(1, n + 1) if n % p == 0 and p * NARROWEST <= NX):
             yield "strong", n, along_x, NY
             yield "weak", n, along_x, NY * n
 
