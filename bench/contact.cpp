@@ -1,10 +1,13 @@
-// Contact detection: time per query against the number of hull panels. `bench/contact [--json]`.
+// Contact detection: time per query against the number of hull panels, and the share of contact in a whole
+// step. `bench/contact [--json]`.
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "bench/contact_share.h"
+#include "bench/machine.h"
 #include "solver/hull_distance.h"
 #include "tests/solver/shapes.h"
 
@@ -154,5 +157,19 @@ int main(int argc, char** argv) {
                   r.deep_ns, r.brute_ns, r.inside, r.particles);
     std::fflush(stdout);
   }
-  if (json) std::printf("%s\n", nlohmann::json{{"benchmark", "contact"}, {"rows", rows}}.dump(2).c_str());
+  nlohmann::json shares = nlohmann::json::object();
+  for (const int quads : {2000, 50000}) {
+    const ContactShare s = contact_share(quads);
+    shares[std::to_string(s.quads)] = {{"contact_share", s.share()},
+                                       {"contact_ms", s.contact_ms},
+                                       {"step_ms", s.step_ms},
+                                       {"contacts", s.contacts}};
+    if (!json)
+      std::printf("%9zu quads: contact %.3f ms of a step of %.3f ms = %.1f %%, %d particles in contact\n",
+                  s.quads, s.contact_ms, s.step_ms, 100.0 * s.share(), s.contacts);
+    std::fflush(stdout);
+  }
+  const nlohmann::json all = {
+      {"benchmark", "contact"}, {"rows", rows}, {"whole_step", shares}, {"machine", machine_context()}};
+  if (json) std::printf("%s\n", all.dump(2).c_str());
 }

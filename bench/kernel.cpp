@@ -1,16 +1,22 @@
 // Time of the whole bond work of a step on the reference slab: 500 x 250 x 3 particles, corrections and
 // breakage on.
 //
-//   bench/kernel [--json] [--steps N]      also under mpirun -n N
+//   bench/kernel [--json] [--steps N] [--nx N --ny N --nz N] [--along-x RANKS] [--fp64]
+//                                                                                also under mpirun -n N
+//   bench/kernel --machine                                                         only what it runs on
 //
 // The slab vibrates freely (a smooth initial velocity), so no value is trivial; nothing breaks.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <string>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "base/communicator.h"
+#include "bench/machine.h"
 #include "solver/halo.h"
 #include "solver/sheet.h"
 #include "solver/stability.h"
@@ -19,11 +25,35 @@ using namespace icebow;
 
 namespace {
 
-Scenario reference_slab() {
+struct Options {
+  bool json = false, machine = false, fp64 = false;
+  int steps = 60, nx = 500, ny = 250, nz = 3;
+  int along_x = 0;  // ranks along x; 0 = the smallest halo
+};
+
+Options parse(int argc, char** argv) {
+  Options o;
+  const struct {
+    const char* name;
+    int* value;
+  } numbers[] = {
+      {"--steps", &o.steps}, {"--nx", &o.nx}, {"--ny", &o.ny}, {"--nz", &o.nz}, {"--along-x", &o.along_x}};
+  for (int a = 1; a < argc; ++a) {
+    if (!std::strcmp(argv[a], "--json")) o.json = true;
+    if (!std::strcmp(argv[a], "--fp64")) o.fp64 = true;
+    if (!std::strcmp(argv[a], "--machine")) o.machine = true;
+    for (const auto& number : numbers)
+      if (!std::strcmp(argv[a], number.name) && a + 1 < argc) *number.value = std::atoi(argv[++a]);
+  }
+  return o;
+}
+
+Scenario slab(const Options& o) {
   Scenario s;
-  s.ice = {0.039, 826.6, 52e6, 0.33, 0.0052, 0.0};
-  s.sheet = {6.5, 3.25, FixedEdges::sides};
   s.numerics.dx = 0.013;
+  if (o.fp64) s.numerics.precision = Precision::fp64;
+  s.ice = {o.nz * s.numerics.dx, 826.6, 52e6, 0.33, 0.0052, 0.0};
+  s.sheet = {o.nx * s.numerics.dx, o.ny * s.numerics.dx, FixedEdges::sides};
   return s;
 }
 
@@ -40,24 +70,11 @@ void excite(IceSheet& sheet) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  MpiSession mpi(argc, argv);
-  const Communicator comm = mpi.world();
-  bool json = false, fp64 = false;
-  int steps = 60;
-  for (int a = 1; a < argc; ++a) {
-    if (!std::strcmp(argv[a], "--json")) json = true;
-    if (!std::strcmp(argv[a], "--fp64")) fp64 = true;
-    if (!std::strcmp(argv[a], "--steps") && a + 1 < argc) steps = std::atoi(argv[++a]);
-  }
-
-  Scenario s = reference_slab();
-  if (fp64) s.numerics.precision = Precision::fp64;
+void run(const Communicator& comm, const Options& options) {
+  const Scenario s = slab(options);
   const Lattice lattice = make_lattice(s);
   const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
-  IceSheet sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size()), material);
+  IceSheet sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size(), options.along_x), material);
   Halo displacements(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
                      ghost_blocks, 0);
   Halo dilatations(comm, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1);
@@ -75,7 +92,7 @@ int main(int argc, char** argv) {
     };
     double t[3] = {};
     const double start = now();
-    for (int n = 0; n < steps; ++n) {
+    for (int n = 0; n < options.steps; ++n) {
       const double t0 = now();
       sheet.drift(drift);
       displacements.exchange();
@@ -89,30 +106,61 @@ int main(int argc, char** argv) {
       t[1] += t2 - t1;
       t[2] += t3 - t2;
     }
-    const double seconds = comm.max(now() - start) / steps;
+    const double seconds = comm.max(now() - start) / options.steps;
     if (seconds < best) {
       best = seconds;
-      for (int p = 0; p < 3; ++p) part[p] = t[p] / steps;
+      for (int p = 0; p < 3; ++p) part[p] = t[p] / options.steps;
     }
   }
   std::int64_t bonds = 2 * sheet.bits.count();  // directed
   comm.sum(&bonds, 1);
   std::int64_t bytes = static_cast<std::int64_t>(sheet.bytes());
   comm.sum(&bytes, 1);
-  if (!comm.is_root()) return 0;
+  std::int64_t sent = static_cast<std::int64_t>(displacements.bytes_sent() + dilatations.bytes_sent());
+  comm.sum(&sent, 1);
+  if (!comm.is_root()) return;
   const double ns = 1e9 * best / double(bonds), per_particle = double(bytes) / double(lattice.particles());
-  if (json) {
-    std::printf(
-        "{\"ranks\": %d, \"particles\": %lld, \"bonds\": %lld, \"ms_per_step\": %.4f, \"ns_per_bond\": %.4f, "
-        "\"bytes_per_particle\": %.1f, \"kernel\": \"%s\", \"dt_limit_s\": %.4g}\n",
-        comm.size(), static_cast<long long>(lattice.particles()), static_cast<long long>(bonds), 1e3 * best,
-        ns, per_particle, sheet.kernel.name, limit);
+  if (options.json) {
+    std::cout << nlohmann::json{{"ranks", comm.size()},
+                                {"ranks_along_x", sheet.partition.px},
+                                {"ranks_along_y", sheet.partition.py},
+                                {"lattice", {lattice.nx, lattice.ny, lattice.nz}},
+                                {"particles", lattice.particles()},
+                                {"bonds", bonds},
+                                {"ms_per_step", 1e3 * best},
+                                {"ns_per_bond", ns},
+                                {"bytes_per_particle", per_particle},
+                                {"halo_bytes_per_step", sent},
+                                {"kernel", sheet.kernel.name},
+                                {"precision", options.fp64 ? "fp64" : "fp32"},
+                                {"dt_s", 0.8 * limit},
+                                {"dt_limit_s", limit},
+                                {"machine", machine_context()}}
+              << "\n";
   } else {
     std::printf(
         "%d rank(s), %lld directed bonds, %s: %.3f ms/step = %.3f ns/bond (drift %.2f, dilatation %.2f, "
         "force "
-        "%.2f ms), %.0f B/particle, dt limit %.3g s\n",
+        "%.2f ms), %.0f B/particle, %lld B/step sent, dt limit %.3g s\n",
         comm.size(), static_cast<long long>(bonds), sheet.kernel.name, 1e3 * best, ns, 1e3 * part[0],
-        1e3 * part[1], 1e3 * part[2], per_particle, limit);
+        1e3 * part[1], 1e3 * part[2], per_particle, static_cast<long long>(sent), limit);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MpiSession mpi(argc, argv);
+  const Communicator comm = mpi.world();
+  const Options options = parse(argc, argv);
+  try {
+    if (options.machine) {
+      if (comm.is_root()) std::cout << machine_context() << "\n";
+    } else {
+      run(comm, options);
+    }
+  } catch (const std::exception& error) {
+    if (comm.is_root()) std::cerr << "kernel: " << error.what() << "\n";
+    return 1;
   }
 }
