@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace icebow {
@@ -17,6 +18,17 @@ struct HistoryRow {
   std::int64_t broken_bonds = 0;  // so far, each bond once
   std::int64_t contacts = 0;      // particles touching the hull at the end of the interval
   double kinetic_energy = 0.0;    //!< of the ice [J]
+
+  // Energies since the start [J], docs/theory.md, "Energy". The ice gains hull_work - contact_loss + relocation.
+  double potential = 0.0;     // weight and lift
+  double hull_work = 0.0;     // of the hull on the ice
+  double contact_loss = 0.0;  // of it, friction and inelastic impact
+  double relocation = 0.0;    // what moving particles to the hull's surface adds
+  // Evaluated every few hundred steps, NaN between.
+  double elastic = std::numeric_limits<double>::quiet_NaN();
+  double fracture = std::numeric_limits<double>::quiet_NaN();  // of broken bonds, a lower bound
+  // What the ice has beyond what it was given: kinetic (mid-step) + potential + elastic + fracture - gain.
+  double balance_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct History {

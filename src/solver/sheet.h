@@ -74,6 +74,7 @@ class IceSheet {
     return near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks + b];
   }
   bool held(int i, int j) const;  // fixed edge
+  const BondTables& tables() const { return tables_; }
   bool mobile(int jl, int local_i) const {
     return !held(layout.i0 + local_i, layout.j0 + jl) && layout.i0 + local_i < lattice.nx;
   }

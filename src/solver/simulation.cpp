@@ -125,7 +125,7 @@ class Loop {
 
   void run(const Lattice& lattice) {
     Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
-    Recorder recorder(comm_, stepper, s_);
+    Recorder recorder(comm_, stepper, s_, result_.dt_limit);
     Snapshots snapshots(comm_, hull_, s_, options_);
     result_.s0 = stepper.material().s0;
     std::int64_t bonds = stepper.sheet().bits.count();
@@ -134,6 +134,7 @@ class Loop {
     result_.status = RunStatus::ok;
 
     start_ = last_report_ = Clock::now();
+    stepper.timer().start();
     while (stepper.steps() < result_.steps) {
       stepper.step();
       if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
@@ -142,13 +143,16 @@ class Loop {
         break;
       }
       snapshots.write_due(stepper, s_.V * stepper.time());
+      stepper.timer().lap(Phase::output);
       if (report(stepper, recorder.history())) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";
         break;
       }
     }
+    stepper.timer().lap(Phase::other);
     result_.wall_seconds = seconds_since(start_);
+    result_.profile = profile_of(comm_, stepper.timer());
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok) snapshots.write_due(stepper, s_.advance);
     result_.steps = stepper.steps();

@@ -8,6 +8,7 @@
 #include "base/quad_mesh.h"
 #include "solver/history.h"
 #include "solver/metrics.h"
+#include "solver/profile.h"
 #include "solver/scenario.h"
 
 namespace icebow {
@@ -42,6 +43,7 @@ struct RunResult {
   std::int64_t directed_bonds = 0;
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
+  Profile profile;  // where the wall time went
   std::vector<std::string> pictures;    // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };

@@ -70,7 +70,8 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
       contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
       hull_box_(bounding_box(hull)),
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
-      no_impulse_(impulse_) {
+      no_impulse_(impulse_),
+      ledger_(EnergyModel(s, lattice, material_, dt)) {
   drift_.dt = static_cast<float>(dt);
   drift_.gravity = s.water.buoyancy_and_gravity ? static_cast<float>(gravity) : 0.0f;
   drift_.lift = s.water.buoyancy_and_gravity ? static_cast<float>(gravity * s.water.rho / s.ice.rho) : 0.0f;
@@ -91,11 +92,19 @@ void Stepper::step() {
   ++steps_;
   set_hull_box();
   sheet_.drift(drift_);
-  contacts_ = contact_.apply(sheet_, hull_x(), impulse_);
+  timer_.lap(Phase::drift);
+  contacts_ = contact_.apply(sheet_, hull_x(), impulse_, ledger_);
+  timer_.lap(Phase::contact);
   halo_.exchange({sheet_.u[0].data(), sheet_.u[1].data(), sheet_.u[2].data()});
+  timer_.lap(Phase::halo_u);
   broken_bonds_ += sheet_.dilatation(law_);
+  timer_.lap(Phase::dilatation);
   halo_.exchange({sheet_.theta.data()});
+  timer_.lap(Phase::halo_theta);
   sheet_.force(law_);
+  timer_.lap(Phase::force);
+  ledger_.close_step(sheet_);
+  timer_.lap(Phase::energy);
 }
 
 ExactImpulse Stepper::take_impulse() {

@@ -7,6 +7,7 @@
 #include "solver/contact.h"
 #include "solver/exact_sum.h"
 #include "solver/halo.h"
+#include "solver/phase_timer.h"
 #include "solver/scenario.h"
 #include "solver/sheet.h"
 #include "solver/stencil.h"
@@ -32,6 +33,8 @@ class Stepper {
   ExactImpulse take_impulse();
   int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
   std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
+  const ContactLedger& ledger() const { return ledger_; }
+  PhaseTimer& timer() { return timer_; }
 
  private:
   void set_hull_box();
@@ -45,6 +48,8 @@ class Stepper {
   Box hull_box_;
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
+  ContactLedger ledger_;
+  PhaseTimer timer_;
   std::int64_t steps_ = 0, broken_bonds_ = 0;
   int contacts_ = 0;
 };

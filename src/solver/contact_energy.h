@@ -1,0 +1,51 @@
+// What the hull does to the energy of the ice, strike by strike: equations (25)-(27) of docs/theory.md.
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+#include "solver/energy.h"
+
+namespace icebow {
+
+// So far and of one rank, in quanta of the energy model. The ice gains hull_work - loss + relocation.
+struct ContactCounts {
+  std::int64_t hull_work = 0;   // impulse on the ice . V
+  std::int64_t loss = 0;        // of it, what inelastic impact and friction turn into heat; never negative for
+                                // the relocation rule
+  std::int64_t relocation = 0;  // what moving particles to the surface gives the ice: work against their bonds
+};
+
+// The strikes of one step wait for the accelerations after it. The work of a relocation also needs the
+// acceleration before it, which the drift uses up: so it is kept for all particles next to the surface.
+class ContactLedger {
+ public:
+  explicit ContactLedger(const EnergyModel& model) : model_(model) {}
+
+  // In the order of p. A particle (its place in the fields, the reference height of its row) near the hull but
+  // outside.
+  void passed(std::size_t p, double z);
+  void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
+  // When forces are known: the step's strikes are accounted for.
+  void close_step(const IceSheet& sheet);
+
+  const EnergyModel& model() const { return model_; }
+  const ContactCounts& counts() const { return counts_; }
+  // Whether particle p was struck in the last step, or one within a distance [m] of it.
+  bool struck_near(const IceSheet& sheet, const Vec3& position, double distance) const;
+
+ private:
+  struct Touch {
+    std::size_t p;
+    double z;  //!< reference height [m]
+    Vec3 delta_v, push, acceleration;
+    bool struck;
+  };
+  void account(const Touch& now, const Vec3& acceleration_before);
+
+  EnergyModel model_;
+  std::vector<Touch> now_, before_;
+  ContactCounts counts_;
+};
+
+}  // namespace icebow

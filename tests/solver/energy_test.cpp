@@ -1,0 +1,199 @@
+// Where the energy goes: free ice conserves it, the hull's work is all accounted for, and energy from nowhere
+// ends a run.
+#include "solver/energy.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "../main.h"
+#include "base/units.h"
+#include "ice_block.h"
+#include "solver/recorder.h"
+#include "solver/simulation.h"
+#include "solver/stability.h"
+#include "tiny_hull.h"
+
+using namespace icebow;
+
+namespace {
+
+struct Joules {
+  double kinetic, potential, elastic;
+  double total() const { return kinetic + potential + elastic; }
+};
+
+// A block without a hull, stepped at a fraction of the stability limit.
+class Motion {
+ public:
+  Motion(IceBlock& ice, const Scenario& s, double fraction)
+      : ice_(ice),
+        dt_(fraction *
+            stable_time_step(ice.sheet.stencil, ice.material, ice.lattice.dx, s.ice.rho, true)),
+        model_(s, ice.lattice, ice.material, dt_) {
+    drift_.dt = static_cast<float>(dt_);
+    drift_.gravity = static_cast<float>(model_.gravity);
+    drift_.lift = static_cast<float>(model_.lift);
+    drift_.inverse_dx = static_cast<float>(1.0 / ice.lattice.dx);
+    ice_.accelerate();
+  }
+  Joules energy() const {
+    const EnergyCounts c = sheet_energy(ice_.sheet, model_);
+    return {c.kinetic * model_.quantum, c.potential * model_.quantum, c.elastic * model_.quantum};
+  }
+  // Largest departure of the total from its start, asked every 10 steps.
+  double drift_of_total(int steps) {
+    const double start = energy().total();
+    double largest = 0.0;
+    for (int n = 1; n <= steps; ++n) {
+      ice_.sheet.drift(drift_);
+      REQUIRE(ice_.sheet.dilatation(ice_.law) == 0);
+      ice_.sheet.force(ice_.law);
+      if (n % 10 == 0) largest = std::max(largest, std::abs(energy().total() - start));
+    }
+    return largest;
+  }
+
+ private:
+  IceBlock& ice_;
+  double dt_;
+  EnergyModel model_;
+  DriftSettings drift_{};
+};
+
+Scenario dry(Scenario s) {
+  s.water.buoyancy_and_gravity = false;
+  return s;
+}
+
+void shake(IceBlock& ice, float speed) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(-speed, speed);
+  ice.for_each([&](int, int, int, std::size_t p) {
+    for (Field& v : ice.sheet.v) v[p] = uniform(random);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the elastic energy's slope is the force law: dE = -m a . du") {
+  const Scenario s = dry(block_scenario(20, 10, 3));
+  IceBlock ice(s);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1e-5, 1e-5);
+  std::vector<Vec3> field;
+  const auto displaced = [&](double along) {
+    std::size_t n = 0;
+    ice.for_each([&](int, int, int, std::size_t p) {
+      for (int c = 0; c < 3; ++c) ice.sheet.u[c][p] = static_cast<float>(along * field[n][c]);
+      ++n;
+    });
+    ice.accelerate();
+    const EnergyModel model(s, ice.lattice, ice.material, 1e-5);
+    return sheet_energy(ice.sheet, model).elastic * model.quantum;
+  };
+  ice.for_each([&](int, int, int, std::size_t) {
+    field.emplace_back(uniform(random), uniform(random), uniform(random));
+  });
+  const double slope = (displaced(1.01) - displaced(0.99)) / 0.02;
+  displaced(1.0);
+  const double mass = s.ice.rho * ice.lattice.particle_volume();
+  double work = 0.0;
+  std::size_t n = 0;
+  ice.for_each([&](int, int, int, std::size_t p) { work -= mass * ice.acceleration(p).dot(field[n++]); });
+  CHECK(slope == Approx(work).epsilon(1e-4));
+}
+
+TEST_CASE("a uniformly stretched block stores half E strain squared a volume") {
+  const Scenario s = dry(block_scenario(40, 24, 20));
+  IceBlock ice(s);
+  const double strain = 1e-3, nu = s.ice.nu;
+  ice.displace([&](const Vec3& x) -> Vec3 {
+    return strain * Vec3(x.x(), -nu * x.y(), -nu * x.z());
+  });
+  const double volume = double(ice.lattice.particles()) * ice.lattice.particle_volume();
+  CHECK(Motion(ice, s, 0.8).energy().elastic ==
+        Approx(0.5 * s.ice.E * strain * strain * volume).epsilon(0.05));
+}
+
+TEST_CASE("a free vibrating block keeps its energy") {
+  for (const double fraction : {0.4, 0.8}) {
+    const Scenario s = dry(block_scenario(32, 16, 3));
+    IceBlock ice(s);
+    shake(ice, 0.02f);
+    Motion motion(ice, s, fraction);
+    const double start = motion.energy().total(), drift = motion.drift_of_total(4000) / start;
+    WARN("dt " << fraction << " of the limit: relative drift " << drift);
+    CHECK(drift < 1e-3);
+  }
+}
+
+TEST_CASE("a floe rising in the water turns its lift into motion") {
+  const Scenario s = block_scenario(16, 9, 3);
+  IceBlock ice(s);
+  ice.displace([&](const Vec3&) -> Vec3 { return {0.0, 0.0, -3.0 * s.ice.h}; });
+  Motion motion(ice, s, 0.8);
+  const Joules start = motion.energy();
+  CHECK(start.kinetic == Approx(0.0).margin(1e-9));
+  const double drift = motion.drift_of_total(6000) / start.potential;
+  WARN("relative drift " << drift);
+  CHECK(drift < 1e-3);
+}
+
+namespace {
+
+Scenario small_run() {
+  Scenario s;
+  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  s.sheet = {1.0, 0.56, FixedEdges::sides};
+  s.numerics.dx = 0.02;
+  s.numerics.friction = 0.1;
+  s.V = 0.5;
+  s.advance = 0.12;
+  s.steady_from = 0.03;
+  return s;
+}
+
+QuadMesh small_hull() {
+  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+}
+
+// The worst balance of a run over its hull's work at the end.
+double worst_balance(const RunResult& r) {
+  double worst = 0.0;
+  for (const HistoryRow& row : r.history.rows) {
+    if (!std::isnan(row.balance_error)) worst = std::max(worst, std::abs(row.balance_error));
+    if (!std::isnan(row.balance_error))
+    WARN("t " << row.t << " W " << row.hull_work << " loss " << row.contact_loss << " reloc " << row.relocation << " kin " << row.kinetic_energy
+         << " pot " << row.potential << " el " << row.elastic << " frac " << row.fracture << " err " << row.balance_error << " contacts " << row.contacts << " broken " << row.broken_bonds);
+  }
+  return worst / r.history.rows.back().hull_work;
+}
+
+}  // namespace
+
+TEST_CASE("the hull's work is what the ice gained and what contact lost, while nothing breaks") {
+  for (const ContactRule rule : {ContactRule::relocation, ContactRule::penalty, ContactRule::paper}) {
+    Scenario s = small_run();
+    s.ice.s0 = 0.04;  // too tough to break
+    s.numerics.contact = rule;
+    const RunResult r = simulate(test_world(), small_hull(), s, {});
+    REQUIRE(r.status == RunStatus::ok);
+    REQUIRE(r.metrics.broken_bonds == 0);
+    CHECK(r.history.rows.back().hull_work > 0.0);
+    const double worst = worst_balance(r);
+    WARN("contact rule " << static_cast<int>(rule) << ": balance error over the hull's work " << worst);
+    CHECK(worst < 0.01);
+  }
+}
+
+TEST_CASE("breaking ice") {
+  Scenario s = small_run();
+  s.advance = 0.5;
+  const RunResult r = simulate(test_world(), small_hull(), s, {});
+  WARN(r.reason);
+  REQUIRE(r.status == RunStatus::ok);
+  const double worst = worst_balance(r);
+  WARN("breaking: balance error over the hull's work " << worst);
+}
