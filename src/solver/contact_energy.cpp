@@ -8,10 +8,8 @@ void ContactLedger::passed(std::size_t p, double z) {
 
 void ContactLedger::struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v,
                            const Vec3& push) {
-  const double work = model_.mass * delta_v.x() * model_.V;
-  const double gain = model_.mass * delta_v.dot(v_before + 0.5 * delta_v);
-  counts_.hull_work += model_.quanta(work);
-  counts_.loss += model_.quanta(work - gain);
+  counts_.hull_work += model_.quanta(model_.mass * delta_v.x() * model_.V);
+  counts_.gain += model_.quanta(model_.mass * delta_v.dot(v_before + 0.5 * delta_v));
   now_.push_back({p, z, delta_v, push, Vec3::Zero(), true});
 }
 
@@ -33,7 +31,7 @@ void ContactLedger::account(const Touch& now, const Vec3& acceleration_before) {
   const double work = 0.5 * model_.mass *
                       (model_.dt * now.acceleration.dot(now.delta_v) -
                        (acceleration_before + now.acceleration).dot(now.push));
-  counts_.relocation += model_.quanta(work);
+  counts_.gain += model_.quanta(work);
 }
 
 bool ContactLedger::struck_near(const IceSheet& sheet, const Vec3& position, double distance) const {

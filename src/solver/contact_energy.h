@@ -8,12 +8,10 @@
 
 namespace icebow {
 
-// So far and of one rank, in quanta of the energy model. The ice gains hull_work - loss + relocation.
+// So far and of one rank, in quanta of the energy model.
 struct ContactCounts {
-  std::int64_t hull_work = 0;   // impulse on the ice . V
-  std::int64_t loss = 0;        // of it, what inelastic impact and friction turn into heat; never negative for
-                                // the relocation rule
-  std::int64_t relocation = 0;  // what moving particles to the surface gives the ice: work against their bonds
+  std::int64_t hull_work = 0;  // impulse on the ice . V
+  std::int64_t gain = 0;  // of the ice: the rest is lost to friction, inelastic impact and moving particles
 };
 
 // The strikes of one step wait for the accelerations after it. The work of a relocation also needs the
@@ -22,8 +20,8 @@ class ContactLedger {
  public:
   explicit ContactLedger(const EnergyModel& model) : model_(model) {}
 
-  // In the order of p. A particle (its place in the fields, the reference height of its row) near the hull but
-  // outside.
+  // In the order of p. A particle (its place in the fields, the reference height of its row) near the hull
+  // but outside.
   void passed(std::size_t p, double z);
   void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
   // When forces are known: the step's strikes are accounted for.

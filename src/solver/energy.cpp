@@ -94,21 +94,22 @@ double EnergyModel::weight_and_lift(double z) const {
 double EnergyModel::potential(double z) const {
   const double half = 0.5 * dx;
   // Integral of the submerged part from above the water down to z.
-  const double submerged =
-      z >= half ? 0.0 : z <= -half ? z : 0.5 * z - z * z / (2.0 * dx) - 0.125 * dx;
+  const double submerged = z >= half ? 0.0 : z <= -half ? z : 0.5 * z - z * z / (2.0 * dx) - 0.125 * dx;
   return mass * (gravity * z - lift * submerged);
 }
 
-std::int64_t potential_energy(const IceSheet& sheet, const EnergyModel& m) {
-  if (m.gravity == 0.0) return 0;
+EnergyCounts motion_energy(const IceSheet& sheet, const EnergyModel& m) {
   const Layout& layout = sheet.layout;
-  std::int64_t sum = 0;
+  EnergyCounts sum;
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
       const std::size_t row = layout.row(jl, k);
-      const double z = sheet.lattice.z(k), afloat = m.potential(z);
-      for (int l = 0; l < layout.blocks * block; ++l)
-        sum += m.quanta(m.potential(z + sheet.u[2][row + l]) - afloat);
+      const double reference = sheet.lattice.z(k), afloat = m.potential(reference);
+      for (int l = 0; l < layout.blocks * block; ++l) {
+        const double z = reference + sheet.u[2][row + l];
+        sum.kinetic += m.quanta(kinetic(sheet, m, row + l, z));
+        sum.potential += m.quanta(m.potential(z) - afloat);
+      }
     }
   }
   return sum;
@@ -116,17 +117,15 @@ std::int64_t potential_energy(const IceSheet& sheet, const EnergyModel& m) {
 
 EnergyCounts sheet_energy(const IceSheet& sheet, const EnergyModel& m) {
   const Layout& layout = sheet.layout;
-  EnergyCounts sum;
-  sum.potential = potential_energy(sheet, m);
+  EnergyCounts sum = motion_energy(sheet, m);
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
       const RowTables tables = sheet.tables().row(jl, k);
       for (int b = 0; b < layout.blocks; ++b) {
         const BlockEnergy bonds = block_bonds(sheet, tables, jl, k, b, m.s0);
+        const std::size_t first = layout.row(jl, k) + std::size_t(b) * block;
         for (int l = 0; l < block; ++l) {
-          const std::size_t p = layout.row(jl, k) + std::size_t(b) * block + l;
-          const double theta = sheet.theta[p];
-          sum.kinetic += m.quanta(kinetic(sheet, m, p, sheet.lattice.z(k) + sheet.u[2][p]));
+          const double theta = sheet.theta[first + l];
           sum.elastic += m.quanta(m.dilatation * theta * theta + 0.5 * m.mass * bonds.elastic[l]);
           sum.fracture += m.quanta(0.5 * m.mass * bonds.fracture[l]);
         }

@@ -1,7 +1,7 @@
 // Energy of the ice sheet: kinetic, weight and lift, elastic, and what broken bonds took with them.
 //
-// Sums are whole multiples of a quantum in 64-bit integers, rounded particle by particle, so they are the same
-// bit for bit on any number of ranks. Equations (20)-(24) of docs/theory.md.
+// Sums are whole multiples of a quantum in 64-bit integers, rounded particle by particle, so they are the
+// same bit for bit on any number of ranks. Equations (20)-(24) of docs/theory.md.
 #pragma once
 
 #include <cstdint>
@@ -36,14 +36,16 @@ struct EnergyCounts {
   std::int64_t kinetic = 0, potential = 0, elastic = 0, fracture = 0;
 };
 
-// Weight and lift only: one pass over u_z. Zero for the sheet where it was at the start.
-std::int64_t potential_energy(const IceSheet& sheet, const EnergyModel& model);
+// To be asked between steps, when dilatation and acceleration belong to the displacements. Kinetic energy is
+// m v(t - dt/2) . v(t + dt/2) / 2: with it a free linear sheet conserves the sum exactly, whatever its stable
+// step. Potential and elastic energy are zero for the sheet where it was at the start.
 
-// All four, a pass over every bond (as dear as about four steps). To be asked between steps, when dilatation and
-// acceleration belong to the displacements. Kinetic energy is m v(t - dt/2) . v(t + dt/2) / 2: with it a free
-// linear sheet conserves the sum exactly, whatever its stable step. `fracture` counts a broken bond with its
-// distortional energy at the critical stretch: a lower bound (a bond is found broken up to a step later, and its
-// part of the dilatation is left out).
+// Kinetic and potential only: one pass over the particles.
+EnergyCounts motion_energy(const IceSheet& sheet, const EnergyModel& model);
+
+// All four, a pass over every bond. `fracture` counts a broken bond with its distortional energy at the
+// critical stretch. What is left out: its part of the dilatation (which may have either sign), and what it
+// was stretched further before its step ended.
 EnergyCounts sheet_energy(const IceSheet& sheet, const EnergyModel& model);
 
 }  // namespace icebow

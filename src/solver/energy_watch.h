@@ -14,18 +14,18 @@ class EnergyWatch {
   EnergyWatch(const Communicator& comm, const Stepper& stepper, const Scenario& scenario,
               std::int64_t steps_per_sample);
 
-  // Collective: the row's energies, in a row that has its kinetic energy.
+  // Collective: fills in the row's energies.
   void sample(const Stepper& stepper, HistoryRow& row);
-  // Energy that appeared since the balance was lowest, where it is more than rounding and the work of breaking
-  // bonds explain: above a tenth of the work done so far and of the energy at the start, and above that of a
-  // cube of ice, as wide as the sheet is thick, at the ship's speed. Zero otherwise [J].
+  // Energy that appeared since the balance was lowest, where it is more than rounding and the work of
+  // breaking bonds explain: above a quarter of the work done so far and of the energy at the start, and above
+  // that of a cube of ice, as wide as the sheet is thick, at the ship's speed. Zero otherwise [J].
   double surplus() const { return surplus_; }
 
  private:
   struct Energies {
     double kinetic, potential, elastic, fracture;
   };
-  Energies evaluate(const IceSheet& sheet) const;  // collective
+  Energies total(const EnergyCounts& own) const;  // collective
   void judge(const HistoryRow& row);
 
   const Communicator& comm_;

@@ -22,19 +22,17 @@ double sampling_interval(double h) {
 
 Recorder::Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& s, double dt_limit)
     : comm_(comm),
-      particle_mass_(s.ice.rho * stepper.sheet().lattice.particle_volume()),
       V_(s.V),
       dt_limit_(dt_limit),
       steps_per_sample_(samples_interval(s, stepper.dt())),
       watch_(comm, stepper, s, steps_per_sample_) {
   const Material& m = stepper.material();
   fastest_allowed_ = std::sqrt((m.kappa + 4.0 * m.mu / 3.0) / s.ice.rho);  // P wave
-  energy_quantum_ = std::ldexp(particle_mass_ * V_ * V_, -24);
   history_.interval = steps_per_sample_ * stepper.dt();
 }
 
 // NaN counts as infinitely fast.
-Recorder::Motion Recorder::motion(const IceSheet& sheet) const {
+Recorder::Motion Recorder::motion(const IceSheet& sheet) {
   Motion m;
   const Layout& layout = sheet.layout;
   for (int jl = 0; jl < layout.columns; ++jl) {
@@ -44,7 +42,6 @@ Recorder::Motion Recorder::motion(const IceSheet& sheet) const {
         double v2 = 0.0;
         for (const Field& v : sheet.v) v2 += double(v[row + l]) * v[row + l];
         if (!(v2 < 1e12)) v2 = 1e12;
-        m.energy_quanta += std::llround(std::min(0.5 * particle_mass_ * v2 / energy_quantum_, 1e12));
         if (v2 > m.fastest * m.fastest) {
           m.fastest = std::sqrt(v2);
           m.where = row + l;
@@ -58,12 +55,11 @@ Recorder::Motion Recorder::motion(const IceSheet& sheet) const {
 bool Recorder::sample(Stepper& stepper, std::string& reason) {
   const Motion m = motion(stepper.sheet());
   ExactImpulse impulse = stepper.take_impulse();
-  std::int64_t totals[9];
+  std::int64_t totals[8];
   std::copy(impulse.counts().begin(), impulse.counts().end(), totals);
   totals[6] = stepper.broken_bonds();
   totals[7] = stepper.contacts();
-  totals[8] = m.energy_quanta;
-  comm_.sum(totals, 9);
+  comm_.sum(totals, 8);
 
   HistoryRow row;
   row.t = stepper.time();
@@ -74,7 +70,6 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
   }
   row.broken_bonds = totals[6];
   row.contacts = totals[7];
-  row.kinetic_energy = totals[8] * energy_quantum_;
   stepper.timer().lap(Phase::sampling);
   watch_.sample(stepper, row);
   stepper.timer().lap(Phase::energy);
@@ -106,8 +101,9 @@ std::string Recorder::describe_failure(const Stepper& stepper, const Motion& m, 
                 static_cast<long long>(stepper.steps()), row.t, row.advance);
   std::string words = text;
   if (fastest > fastest_allowed_) return words + "ice moves faster than sound: " + place;
-  std::snprintf(text, sizeof text, "the ice has gained %.3g J that nobody gave it (hull's work %.3g J): ",
-                watch_.surplus(), row.hull_work);
+  std::snprintf(text, sizeof text,
+                "the ice has gained %.3g J that nobody gave it (hull's work %.3g J): ", watch_.surplus(),
+                row.hull_work);
   return words + text + place;
 }
 

@@ -17,22 +17,21 @@ class Recorder {
 
   std::int64_t steps_per_sample() const { return steps_per_sample_; }
   // Collective: adds a row for the interval that ends now. False where the ice is no longer finite, is faster
-  // than a sound wave, or has energy that nobody gave it (EnergyWatch); `reason` then says when and where, and
-  // what the likely cause is.
+  // than a sound wave, or has energy that nobody gave it (EnergyWatch); `reason` then says when and where,
+  // and what the likely cause is.
   bool sample(Stepper& stepper, std::string& reason);
   const History& history() const { return history_; }
 
  private:
   struct Motion {
-    std::int64_t energy_quanta = 0;
     double fastest = 0.0;   //!< [m/s]
     std::size_t where = 0;  // the fastest particle
   };
-  Motion motion(const IceSheet& sheet) const;
+  static Motion motion(const IceSheet& sheet);
   std::string describe_failure(const Stepper& stepper, const Motion& motion, double fastest) const;
 
   const Communicator& comm_;
-  double particle_mass_, V_, fastest_allowed_, energy_quantum_, dt_limit_;
+  double V_, fastest_allowed_, dt_limit_;
   std::int64_t steps_per_sample_;
   EnergyWatch watch_;
   History history_;

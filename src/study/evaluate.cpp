@@ -171,6 +171,7 @@ void DesignRun::take(const RunResult& run) {
                              {"wall_s", run.wall_seconds},
                              {"critical_stretch", run.s0},
                              {"lambda", case_.lambda}};
+  e_.result["profile"] = profile_json(run);
   Json pictures = Json::array();
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
     pictures.push_back({{"file", run.pictures[i]}, {"advance_m", run.picture_advance.at(i)}});
@@ -201,7 +202,7 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
-  for (const char* part : {"hull", "lindqvist", "metrics", "simulation"}) {
+  for (const char* part : {"hull", "lindqvist", "metrics", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }
