@@ -10,7 +10,7 @@ namespace icebow {
 class EnergyWatch {
  public:
   // Collective: the energy the sheet has now is what it starts with. The elastic energy is evaluated every
-  // 600 steps or a little less often, which costs about 1 % of a run.
+  // 1000 steps or a little less often: with the rest of the balance below 1 % of a run.
   EnergyWatch(const Communicator& comm, const Stepper& stepper, const Scenario& scenario,
               std::int64_t steps_per_sample);
 

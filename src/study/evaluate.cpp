@@ -163,6 +163,7 @@ void DesignRun::take(const RunResult& run) {
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
                              {"steps", run.steps},
+                             {"ended", ended_json(run)},
                              {"nx", run.nx},
                              {"ny", run.ny},
                              {"nz", run.nz},

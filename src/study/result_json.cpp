@@ -128,6 +128,11 @@ Json metrics_json(const RunResult& run, double lambda) {
   return json;
 }
 
+Json ended_json(const RunResult& run) {
+  if (run.status != RunStatus::ok) return nullptr;
+  return run.ended == RunEnd::advance_reached ? "advance reached" : "interval narrow enough";
+}
+
 Json profile_json(const RunResult& run) {
   double total = 0.0;
   for (const PhaseTime& p : run.profile) total += p.mean;
