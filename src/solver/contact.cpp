@@ -43,8 +43,7 @@ ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const
 HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
     : distance_(hull, region), settings_(settings) {}
 
-int HullContact::apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse,
-                       ContactLedger& ledger) const {
+int HullContact::apply(IceSheet& sheet, double hull_x, ExactImpulse& impulse, ContactLedger& ledger) const {
   const Layout& layout = sheet.layout;
   int contacts = 0;
   for (int jl = 0; jl < layout.columns; ++jl) {

@@ -26,7 +26,7 @@ void ContactLedger::close_step(const IceSheet& sheet) {
   now_.clear();
 }
 
-// The trapezoidal work of the relocation, and of the late change of velocity: eq. (27).
+// The trapezoidal work of the relocation, and of the late change of velocity: the last terms of eq. (24).
 void ContactLedger::account(const Touch& now, const Vec3& acceleration_before) {
   const double work = 0.5 * model_.mass *
                       (model_.dt * now.acceleration.dot(now.delta_v) -

@@ -1,4 +1,4 @@
-// What the hull does to the energy of the ice, strike by strike: equations (25)-(27) of docs/theory.md.
+// What the hull does to the energy of the ice, strike by strike: equations (23) and (24) of docs/theory.md.
 #pragma once
 
 #include <vector>

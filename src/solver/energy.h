@@ -1,7 +1,7 @@
 // Energy of the ice sheet: kinetic, weight and lift, elastic, and what broken bonds took with them.
 //
 // Sums are whole multiples of a quantum in 64-bit integers, rounded particle by particle, so they are the
-// same bit for bit on any number of ranks. Equations (20)-(24) of docs/theory.md.
+// same bit for bit on any number of ranks. Equations (20)-(22) and (27) of docs/theory.md.
 #pragma once
 
 #include <cstdint>

@@ -36,9 +36,9 @@ Stretches stretches(const IceSheet& sheet, const Place& at, std::size_t p) {
     if (!((words[s] >> (at.l % block)) & 1)) continue;
     const Offset& o = sheet.stencil.half[at.k][s];
     const std::size_t q = p + (std::ptrdiff_t(o.dj) * layout.nz + o.dk) * layout.stride + o.di;
-    const Vec3 y = Vec3(o.di, o.dj, o.dk) * sheet.lattice.dx +
-                   Vec3(double(sheet.u[0][q]) - sheet.u[0][p], double(sheet.u[1][q]) - sheet.u[1][p],
-                        double(sheet.u[2][q]) - sheet.u[2][p]);
+    const Vec3 y = Vec3(o.di, o.dj, o.dk) * sheet.lattice.dx + Vec3(double(sheet.u[0][q]) - sheet.u[0][p],
+                                                                    double(sheet.u[1][q]) - sheet.u[1][p],
+                                                                    double(sheet.u[2][q]) - sheet.u[2][p]);
     const double stretch = y.norm() / o.length - 1.0;
     found.least = std::min(found.least, stretch);
     found.most = std::max(found.most, stretch);

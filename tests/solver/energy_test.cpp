@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "ice_block.h"
 #include "solver/recorder.h"
+#include "solver/runaway.h"
 #include "solver/simulation.h"
 #include "solver/stability.h"
 #include "tiny_hull.h"
@@ -20,7 +21,7 @@ using namespace icebow;
 namespace {
 
 struct Joules {
-  double kinetic, potential, elastic;
+  double kinetic, potential, elastic;  //!< [J]
   double total() const { return kinetic + potential + elastic; }
 };
 
@@ -121,8 +122,8 @@ TEST_CASE("a free vibrating block keeps its energy") {
     shake(ice, 0.02f);
     Motion motion(ice, s, fraction);
     const double start = motion.energy().total(), drift = motion.drift_of_total(4000) / start;
-    WARN("dt " << fraction << " of the limit: relative drift " << drift);
-    CHECK(drift < 1e-3);
+    INFO("dt " << fraction << " of the limit: relative drift " << drift);
+    CHECK(drift < 5e-5);  // found: 6e-6 at 0.8, rounding of single precision
   }
 }
 
@@ -134,8 +135,8 @@ TEST_CASE("a floe rising in the water turns its lift into motion") {
   const Joules start = motion.energy();
   CHECK(start.kinetic == Approx(0.0).margin(1e-9));
   const double drift = motion.drift_of_total(6000) / start.potential;
-  WARN("relative drift " << drift);
-  CHECK(drift < 1e-3);
+  INFO("relative drift " << drift);
+  CHECK(drift < 3e-4);  // found: 5e-5
 }
 
 namespace {
@@ -215,9 +216,9 @@ TEST_CASE("the hull's work is what the ice gained and what contact lost, while n
     const HistoryRow& last = ship.history.rows.back();
     REQUIRE(last.broken_bonds == 0);
     CHECK(last.hull_work > 0.5);
-    WARN("contact rule " << static_cast<int>(rule) << ": balance error over the hull's work "
-                         << ship.worst_balance() << " W " << last.hull_work << " loss " << last.contact_loss);
-    CHECK(ship.worst_balance() < 0.005);
+    INFO("contact rule " << static_cast<int>(rule) << ": balance error over the hull's work "
+                         << ship.worst_balance());
+    CHECK(ship.worst_balance() < 5e-4);  // found: 8e-5
   }
 }
 
@@ -228,8 +229,8 @@ TEST_CASE("breaking ice is not taken for a blow-up, and its balance closes to th
   const HistoryRow& last = ship.history.rows.back();
   CHECK(last.broken_bonds > 5000);
   CHECK(last.contact_loss > 0.0);
-  WARN("balance error over the hull's work " << ship.worst_balance());
-  CHECK(ship.worst_balance() < 0.05);
+  INFO("balance error over the hull's work " << ship.worst_balance());
+  CHECK(ship.worst_balance() < 0.05);  // found: 0.021
 }
 
 TEST_CASE("a time step above the limit is found out long before values overflow") {
@@ -249,13 +250,25 @@ TEST_CASE("a time step above the limit is found out long before values overflow"
       }
     }
     const std::string reason = ice.run(20000);
-    WARN(reason << " fastest " << ice.fastest());
+    INFO(reason);
     CHECK(reason.find("unstable at step " + std::to_string(ice.stepper.steps())) == 0);
     CHECK(reason.find("first at x = ") != std::string::npos);
     CHECK(reason.find("times the stability limit") != std::string::npos);
     CHECK(ice.stepper.steps() < 5000);
     CHECK(ice.fastest() < 1000.0);
   }
+}
+
+TEST_CASE("what goes wrong beside the hull is put down to contact, squeezed ice to itself") {
+  Scenario s = small_run();
+  Sailed ship(s, first_touch_x(small_hull(), make_lattice(s)), 0.8);
+  ship.run(700);
+  const IceSheet& sheet = ship.stepper.sheet();
+  const std::size_t far = sheet.layout.row(0, 0) + 20;
+  CHECK(likely_cause(ship.stepper, far, ship.limit).find("not known") == 0);
+  CHECK(likely_cause(ship.stepper, far, 0.5 * ship.stepper.dt()).find("the time step is 2 times") == 0);
+  sheet.u[0][far] += 0.1f * static_cast<float>(s.numerics.dx);
+  CHECK(likely_cause(ship.stepper, far, ship.limit).find("the ice there is strained") == 0);
 }
 
 TEST_CASE("a floe afloat without a ship is left in peace") {
