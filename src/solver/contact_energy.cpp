@@ -34,10 +34,9 @@ void ContactLedger::account(const Touch& now, const Vec3& acceleration_before) {
   counts_.gain += model_.quanta(work);
 }
 
-bool ContactLedger::struck_near(const IceSheet& sheet, const Vec3& position, double distance) const {
+bool ContactLedger::beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const {
   const Layout& layout = sheet.layout;
   for (const Touch& touch : before_) {
-    if (!touch.struck) continue;
     const std::size_t padded_row = touch.p / layout.stride;
     const int j = layout.j0 + static_cast<int>(padded_row / layout.nz) - reach;
     const int i = layout.i0 + static_cast<int>(touch.p % layout.stride) - ghost_blocks * block;

@@ -20,8 +20,8 @@ class ContactLedger {
  public:
   explicit ContactLedger(const EnergyModel& model) : model_(model) {}
 
-  // In the order of p. A particle (its place in the fields, the reference height of its row) near the hull
-  // but outside.
+  // In the order of p. A particle (its place p in the fields, the reference height z of its row) near the
+  // hull but outside.
   void passed(std::size_t p, double z);
   void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
   // When forces are known: the step's strikes are accounted for.
@@ -29,8 +29,8 @@ class ContactLedger {
 
   const EnergyModel& model() const { return model_; }
   const ContactCounts& counts() const { return counts_; }
-  // Whether particle p was struck in the last step, or one within a distance [m] of it.
-  bool struck_near(const IceSheet& sheet, const Vec3& position, double distance) const;
+  // Whether the last step found the hull's surface at a particle within a distance [m] of a place.
+  bool beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const;
 
  private:
   struct Touch {

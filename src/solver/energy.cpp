@@ -76,39 +76,46 @@ EnergyModel::EnergyModel(const Scenario& s, const Lattice& lattice, const Materi
       gravity(s.water.buoyancy_and_gravity ? icebow::gravity : 0.0),
       lift(gravity * s.water.rho / s.ice.rho),
       dx(lattice.dx),
+      inverse_dx(1.0 / dx),
       dt(step),
       V(s.V),
       quantum(std::ldexp(mass * (s.V * s.V + icebow::gravity * s.ice.h), -32)) {}
 
 std::int64_t EnergyModel::quanta(double joules) const {
-  constexpr double most = 1e12;
+  constexpr double most = 1e13;
   const double count = joules / quantum;
   if (!(std::abs(count) < most)) return static_cast<std::int64_t>(count < 0.0 ? -most : most);
   return std::llround(count);
 }
 
 double EnergyModel::weight_and_lift(double z) const {
-  return lift * std::clamp(0.5 - z / dx, 0.0, 1.0) - gravity;
+  return lift * std::clamp(0.5 - z * inverse_dx, 0.0, 1.0) - gravity;
 }
 
 double EnergyModel::potential(double z) const {
   const double half = 0.5 * dx;
   // Integral of the submerged part from above the water down to z.
-  const double submerged = z >= half ? 0.0 : z <= -half ? z : 0.5 * z - z * z / (2.0 * dx) - 0.125 * dx;
+  const double submerged = z >= half ? 0.0 : z <= -half ? z : 0.5 * z - 0.5 * z * z * inverse_dx - 0.125 * dx;
   return mass * (gravity * z - lift * submerged);
 }
 
+// Rounded block by block: a rank owns whole blocks, so their sums are the same on any number of ranks.
 EnergyCounts motion_energy(const IceSheet& sheet, const EnergyModel& m) {
   const Layout& layout = sheet.layout;
   EnergyCounts sum;
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
-      const std::size_t row = layout.row(jl, k);
       const double reference = sheet.lattice.z(k), afloat = m.potential(reference);
-      for (int l = 0; l < layout.blocks * block; ++l) {
-        const double z = reference + sheet.u[2][row + l];
-        sum.kinetic += m.quanta(kinetic(sheet, m, row + l, z));
-        sum.potential += m.quanta(m.potential(z) - afloat);
+      for (int b = 0; b < layout.blocks; ++b) {
+        const std::size_t first = layout.row(jl, k) + std::size_t(b) * block;
+        double in_motion = 0.0, in_height = 0.0;
+        for (std::size_t p = first; p < first + block; ++p) {
+          const double z = reference + sheet.u[2][p];
+          in_motion += kinetic(sheet, m, p, z);
+          in_height += m.potential(z) - afloat;
+        }
+        sum.kinetic += m.quanta(in_motion);
+        sum.potential += m.quanta(in_height);
       }
     }
   }
@@ -124,11 +131,14 @@ EnergyCounts sheet_energy(const IceSheet& sheet, const EnergyModel& m) {
       for (int b = 0; b < layout.blocks; ++b) {
         const BlockEnergy bonds = block_bonds(sheet, tables, jl, k, b, m.s0);
         const std::size_t first = layout.row(jl, k) + std::size_t(b) * block;
+        double elastic = 0.0, fracture = 0.0;
         for (int l = 0; l < block; ++l) {
           const double theta = sheet.theta[first + l];
-          sum.elastic += m.quanta(m.dilatation * theta * theta + 0.5 * m.mass * bonds.elastic[l]);
-          sum.fracture += m.quanta(0.5 * m.mass * bonds.fracture[l]);
+          elastic += m.dilatation * theta * theta + 0.5 * m.mass * bonds.elastic[l];
+          fracture += 0.5 * m.mass * bonds.fracture[l];
         }
+        sum.elastic += m.quanta(elastic);
+        sum.fracture += m.quanta(fracture);
       }
     }
   }

@@ -1,6 +1,6 @@
 // Energy of the ice sheet: kinetic, weight and lift, elastic, and what broken bonds took with them.
 //
-// Sums are whole multiples of a quantum in 64-bit integers, rounded particle by particle, so they are the
+// Sums are whole multiples of a quantum in 64-bit integers, rounded block by block, so they are the
 // same bit for bit on any number of ranks. Equations (20)-(22) and (27) of docs/theory.md.
 #pragma once
 
@@ -15,16 +15,17 @@ namespace icebow {
 struct EnergyModel {
   EnergyModel(const Scenario& scenario, const Lattice& lattice, const Material& material, double dt);
 
-  double mass;        //!< of a particle [kg]
-  double dilatation;  //!< a V: energy of a particle of unit dilatation [J]
-  double s0;          // critical stretch
-  double gravity;     //!< [m/s^2]; 0 = no weight and no water
-  double lift;        //!< (rho_w/rho) g [m/s^2]
-  double dx, dt;      //!< [m], [s]
-  double V;           //!< ship speed [m/s]
-  double quantum;     //!< of the sums: 2^-32 m (V^2 + g h) [J]
+  double mass;            //!< of a particle [kg]
+  double dilatation;      //!< a V: energy of a particle of unit dilatation [J]
+  double s0;              // critical stretch
+  double gravity;         //!< [m/s^2]; 0 = no weight and no water
+  double lift;            //!< (rho_w/rho) g [m/s^2]
+  double dx, inverse_dx;  //!< [m], [1/m]
+  double dt;              //!< [s]
+  double V;               //!< ship speed [m/s]
+  double quantum;         //!< of the sums: 2^-32 m (V^2 + g h) [J]
 
-  std::int64_t quanta(double joules) const;  // rounded; not above 1e12, so that no sum overflows
+  std::int64_t quanta(double joules) const;  // rounded; at most 1e13, so that no sum overflows
   // Vertical acceleration by weight and lift of a particle at height z above the water, eq. (15).
   double weight_and_lift(double z) const;
   // Work against weight and lift to bring a particle from the water level to height z [J], eq. (21).

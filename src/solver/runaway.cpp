@@ -57,7 +57,7 @@ std::string likely_cause(const Stepper& stepper, std::size_t p, double dt_limit)
     return text;
   }
   const Place at = place_of(sheet.layout, p);
-  if (stepper.ledger().struck_near(sheet, position(sheet, at, p), 2.0 * stepper.material().delta))
+  if (stepper.ledger().beside_hull(sheet, position(sheet, at, p), 2.0 * stepper.material().delta))
     return "contact: the hull is beside it; take a smaller time step or another contact rule";
   const Stretches found = stretches(sheet, at, p);
   if (found.least < -0.05 || found.most > 2.0 * stepper.material().s0) {

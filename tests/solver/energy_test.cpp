@@ -269,6 +269,22 @@ TEST_CASE("what goes wrong beside the hull is put down to contact, squeezed ice 
   CHECK(likely_cause(ship.stepper, far, 0.5 * ship.stepper.dt()).find("the time step is 2 times") == 0);
   sheet.u[0][far] += 0.1f * static_cast<float>(s.numerics.dx);
   CHECK(likely_cause(ship.stepper, far, ship.limit).find("the ice there is strained") == 0);
+  sheet.u[0][far] -= 0.1f * static_cast<float>(s.numerics.dx);
+
+  ship.run(1860);
+  bool touched = false;
+  for (int jl = 0; jl < sheet.layout.columns; ++jl) {
+    for (int l = 0; l < 10; ++l) {
+      const std::size_t p = sheet.layout.row(jl, 0) + l;
+      const Vec3 reference(ship.lattice.x(sheet.layout.i0 + l), ship.lattice.y(sheet.layout.j0 + jl),
+                           ship.lattice.z(0));
+      const Vec3 position = reference + Vec3(sheet.u[0][p], sheet.u[1][p], sheet.u[2][p]);
+      if (!ship.stepper.ledger().beside_hull(sheet, position, 0.5 * ship.lattice.dx)) continue;
+      touched = true;
+      CHECK(likely_cause(ship.stepper, p, ship.limit).find("contact") == 0);
+    }
+  }
+  CHECK(test_world().any(touched));
 }
 
 TEST_CASE("a floe afloat without a ship is left in peace") {
