@@ -273,11 +273,12 @@ TEST_CASE("what goes wrong beside the hull is put down to contact, squeezed ice 
 
   ship.run(1860);
   bool touched = false;
+  const int top = ship.lattice.nz - 1;  // where the sloping stem leans on the edge
   for (int jl = 0; jl < sheet.layout.columns; ++jl) {
     for (int l = 0; l < 10; ++l) {
-      const std::size_t p = sheet.layout.row(jl, 0) + l;
+      const std::size_t p = sheet.layout.row(jl, top) + l;
       const Vec3 reference(ship.lattice.x(sheet.layout.i0 + l), ship.lattice.y(sheet.layout.j0 + jl),
-                           ship.lattice.z(0));
+                           ship.lattice.z(top));
       const Vec3 position = reference + Vec3(sheet.u[0][p], sheet.u[1][p], sheet.u[2][p]);
       if (!ship.stepper.ledger().beside_hull(sheet, position, 0.5 * ship.lattice.dx)) continue;
       touched = true;
