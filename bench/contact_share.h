@@ -8,7 +8,7 @@ namespace icebow {
 struct ContactShare {
   std::size_t quads = 0;
   int contacts = 0;                    // particles touching the hull, mean of the timed steps
-  double step_ms = 0, contact_ms = 0;  // processor time of one rank
+  double step_ms = 0, contact_ms = 0;  // wall time of one rank
   double share() const { return contact_ms / step_ms; }
 };
 

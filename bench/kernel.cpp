@@ -17,9 +17,9 @@
 
 #include "base/communicator.h"
 #include "bench/machine.h"
-#include "solver/halo.h"
 #include "solver/sheet.h"
 #include "solver/stability.h"
+#include "solver/step_schedule.h"
 
 using namespace icebow;
 
@@ -75,48 +75,41 @@ void run(const Communicator& comm, const Options& options) {
   const Lattice lattice = make_lattice(s);
   const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
   IceSheet sheet(s, lattice, make_partition(lattice, comm.rank(), comm.size(), options.along_x), material);
-  Halo displacements(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
-                     ghost_blocks, 0);
-  Halo dilatations(comm, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1);
   const double limit = stable_time_step(sheet.stencil, material, lattice.dx, s.ice.rho, true);
   DriftSettings drift{};
   drift.dt = 0.8 * limit;
   drift.inverse_dx = 1.0 / lattice.dx;
   excite(sheet);
 
+  PhaseTimer timer;
+  StepSchedule schedule(comm, sheet, timer);
   double best = 1e300, part[3] = {};
   for (int repeat = 0; repeat < 3; ++repeat) {
     comm.barrier();
     const auto now = [] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     };
-    double t[3] = {};
+    const PhaseTimer before = timer;
     const double start = now();
+    timer.start();
     for (int n = 0; n < options.steps; ++n) {
-      const double t0 = now();
-      sheet.drift(drift);
-      displacements.exchange();
-      const double t1 = now();
-      sheet.dilatation();
-      dilatations.exchange();
-      const double t2 = now();
-      sheet.force();
-      const double t3 = now();
-      t[0] += t1 - t0;
-      t[1] += t2 - t1;
-      t[2] += t3 - t2;
+      schedule.run([&](int jl0, int jl1) {
+        sheet.drift(drift, jl0, jl1);
+        timer.lap(Phase::drift);
+      });
     }
     const double seconds = comm.max(now() - start) / options.steps;
-    if (seconds < best) {
-      best = seconds;
-      for (int p = 0; p < 3; ++p) part[p] = t[p] / options.steps;
-    }
+    if (seconds >= best) continue;
+    best = seconds;
+    const Phase shown[3] = {Phase::drift, Phase::dilatation, Phase::force};
+    for (int p = 0; p < 3; ++p)
+      part[p] = (timer.seconds(shown[p]) - before.seconds(shown[p])) / options.steps;
   }
   std::int64_t bonds = 2 * sheet.bits.count();  // directed
   comm.sum(&bonds, 1);
   std::int64_t bytes = static_cast<std::int64_t>(sheet.bytes());
   comm.sum(&bytes, 1);
-  std::int64_t sent = static_cast<std::int64_t>(displacements.bytes_sent() + dilatations.bytes_sent());
+  std::int64_t sent = static_cast<std::int64_t>(schedule.bytes_sent());
   comm.sum(&sent, 1);
   if (!comm.is_root()) return;
   const double ns = 1e9 * best / double(bonds), per_particle = double(bytes) / double(lattice.particles());

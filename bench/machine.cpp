@@ -106,7 +106,7 @@ nlohmann::json machine_context() {
           {"flags", ICEBOW_FLAGS},
           {"kernel_flags", ICEBOW_KERNEL_FLAGS},
           {"kernel", kernels().name},
-          {"kernel_bits", 8 * static_cast<int>(sizeof(float)) * kernels().lanes},
+          {"kernel_bits", 8 * kernels().vector_bytes},
           {"mpi", mpi_version()},
           {"load_average", load_average()},
           {"date", date()}};

@@ -45,7 +45,23 @@ std::string for_people(const Evaluation& e, const std::string& directory) {
          " kN\n";
 }
 
+// Where the time went; on stderr, as progress is, so that --json stays JSON.
+std::string profile_table(const Json& profile) {
+  std::vector<std::vector<std::string>> rows = {{"phase", "ms/step", "share", "slowest rank ms/step"}};
+  double total = 0.0;
+  for (const Json& p : profile) {
+    const auto value = [&](const char* key) { return p.at(key).is_number() ? p.at(key).get<double>() : 0.0; };
+    total += value("ms_per_step");
+    rows.push_back({p.at("phase").get<std::string>(), decimals(value("ms_per_step"), 4),
+                    decimals(100.0 * value("share"), 1) + " %", decimals(value("max_ms_per_step"), 4)});
+  }
+  rows.push_back({"step", decimals(total, 4), "", ""});
+  return text_table(rows);
+}
+
 int report(const Evaluation& e, const Arguments& arguments) {
+  if (arguments.has("--profile") && e.result.contains("profile") && e.result.at("profile").is_array())
+    std::cerr << profile_table(e.result.at("profile"));
   if (e.status == EvaluationStatus::running) {
     std::cerr << "icebow simulate: interrupted; the same command starts the run again\n";
     return exit_code::interrupted;

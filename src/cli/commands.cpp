@@ -43,7 +43,11 @@ const std::vector<Command>& commands() {
        "Writes DIR/result.json, history.csv, pictures, and ice.pvd and hull.pvd for ParaView (10 snapshots "
        "where the\n"
        "study asks for none). Takes the file's own design where --design names no other.",
-       {set, design, {"--out", "DIR", "directory of the results", true}, json},
+       {set,
+        design,
+        {"--out", "DIR", "directory of the results", true},
+        {"--profile", "", "say at the end where the time of a step went"},
+        json},
        true,
        run_simulate},
       {"run",

@@ -13,7 +13,7 @@ namespace icebow {
 namespace {
 
 constexpr double bars_interval = 1.0 / 8, lines_interval = 5.0;  //!< [s]
-constexpr int bar_width = 24, label_width = 18;
+constexpr int bar_width = 24, short_bar_width = 8, label_width = 18;
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -40,8 +40,25 @@ std::string percent(double fraction) {
   return decimals(std::floor(100.0 * fraction), 0) + " %";
 }
 
+std::string bar(double fraction, int width) {
+  const int full = static_cast<int>(std::lround(fraction * width));
+  return "[" + std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(width - full), '-') + "] " + percent(fraction);
+}
+
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
+}
+
+// Of one run: step, speed, load and energy, for people who watch it.
+std::string run_words(const Progress& p) {
+  std::string words = std::to_string(p.step) + "/" + std::to_string(p.steps) + "  " +
+                      decimals(p.ns_per_bond, 3) + " ns/bond  " + decimals(p.load, 1) + " N";
+  if (p.hull_work > 0.0) {
+    words += "  " + decimals(p.hull_work, 1) + " J " + (p.balance_error < 0.0 ? "-" : "+") +
+             decimals(100.0 * std::abs(p.balance_error) / p.hull_work, 1) + " %";
+  }
+  return words;
 }
 
 // What there is to say of a finished design in one line.
@@ -123,16 +140,23 @@ std::string ProgressDisplay::coloured(const std::string& text, const char* code)
 
 std::string ProgressDisplay::bar_line(const std::string& name, double fraction,
                                       const std::string& tail) const {
-  const int full = static_cast<int>(std::lround(fraction * bar_width));
-  const std::string bar(static_cast<std::size_t>(full), '#'),
-      rest(static_cast<std::size_t>(bar_width - full), '-');
-  return label(name) + " [" + bar + rest + "] " + percent(fraction) + "  " + tail;
+  return label(name) + " " + bar(fraction, bar_width) + "  " + tail;
+}
+
+// A run on its own: its name is known, and 80 columns are to hold what there is to say of it.
+std::string ProgressDisplay::only_run_line(const ProgressState::Running& run) const {
+  return bar(run.fraction(), short_bar_width) + "  eta " + clock_time(ProgressState::eta(run, now())) + "  " +
+         run_words(run.progress);
 }
 
 void ProgressDisplay::draw_bars() {
   erase_bars();
   std::vector<std::string> lines;
   for (const auto& [name, running] : state_.running()) {
+    if (state_.total() == 1) {
+      lines.push_back(only_run_line(running));
+      continue;
+    }
     lines.push_back(bar_line(name, running.fraction(),
                              "eta " + clock_time(ProgressState::eta(running, now())) + "  " +
                                  decimals(running.progress.advance, 2) + " m  " +
@@ -155,6 +179,13 @@ void ProgressDisplay::erase_bars() {
 }
 
 void ProgressDisplay::print_line() {
+  if (state_.total() == 1 && state_.running().size() == 1) {
+    const auto& [name, running] = *state_.running().begin();
+    std::fprintf(stream_, "%s %s (%s m)  eta %s  %s\n", name.c_str(), percent(running.fraction()).c_str(),
+                 decimals(running.progress.advance, 2).c_str(),
+                 clock_time(ProgressState::eta(running, now())).c_str(), run_words(running.progress).c_str());
+    return;
+  }
   std::string text = std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + " designs";
   for (const auto& [name, running] : state_.running()) {
     text += ", " + name + " " + percent(running.fraction()) + " (" + decimals(running.progress.advance, 2) +

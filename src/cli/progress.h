@@ -59,6 +59,7 @@ class ProgressDisplay : public StudyObserver {
   void erase_bars();
   void print_line();
   std::string bar_line(const std::string& label, double fraction, const std::string& tail) const;
+  std::string only_run_line(const ProgressState::Running& run) const;
   std::string coloured(const std::string& text, const char* code) const;
 
   std::FILE* stream_;

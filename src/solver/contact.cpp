@@ -43,7 +43,8 @@ ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const
 HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
     : distance_(hull, region), settings_(settings) {}
 
-int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse) const {
+int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
+                       ContactLedger& ledger) const {
   const Layout& layout = sheet.layout;
   int contacts = 0;
   for (int jl = jl0; jl < jl1; ++jl) {
@@ -59,20 +60,25 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
                               z + sheet.u[2][p]);
           if (!distance_.may_be_inside(position)) continue;
           const ClosestPoint hit = distance_.closest(position);
-          if (hit.signed_distance >= 0.0) continue;
+          if (hit.signed_distance >= 0.0) {
+            ledger.passed(p, z);
+            continue;
+          }
           ++contacts;
-          const ContactResponse r =
-              respond(settings_, hit, Vec3(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]));
-          Vec3 delta_v;  // as stored: the hull gets exactly what the ice lost
+          const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
+          const ContactResponse r = respond(settings_, hit, v_before);
+          Vec3 delta_v, push = Vec3::Zero();  // as stored: the hull gets exactly what the ice lost
           for (int c = 0; c < 3; ++c) {
-            const double before = sheet.v[c][p];
-            sheet.v[c][p] = before + r.delta_v[c];
-            delta_v[c] = sheet.v[c][p] - before;
+            sheet.v[c][p] = v_before[c] + r.delta_v[c];
+            delta_v[c] = sheet.v[c][p] - v_before[c];
             if (r.push[c] == 0.0) continue;
+            const double u_before = sheet.u[c][p] + sheet.residual[c][p];
             sheet.u[c][p] = sheet.u[c][p] + r.push[c];
             sheet.residual[c][p] = 0.0;
+            push[c] = sheet.u[c][p] - u_before;
           }
           impulse.add(-settings_.particle_mass * delta_v, hit.point);
+          ledger.struck(p, z, v_before, delta_v, push);
         }
       }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/quad_mesh.h"
+#include "solver/contact_energy.h"
 #include "solver/exact_sum.h"
 #include "solver/hull_distance.h"
 #include "solver/scenario.h"
@@ -30,8 +31,10 @@ class HullContact {
   HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings);
 
   // Treats every particle of the owned columns [jl0, jl1) inside the hull, whose origin is at (hull_x, 0, 0);
-  // adds the impulse of the ice on the hull about that origin. Returns the number of particles in contact.
-  int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse) const;
+  // adds the impulse of the ice on the hull about that origin, and every strike to `ledger`. Returns the
+  // number of particles in contact.
+  int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
+            ContactLedger& ledger) const;
 
  private:
   HullDistance distance_;

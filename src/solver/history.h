@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace icebow {
@@ -16,7 +17,17 @@ struct HistoryRow {
   double M[3] = {0, 0, 0};        //!< moment about the stem at the waterline [N m]
   std::int64_t broken_bonds = 0;  // so far, each bond once
   std::int64_t contacts = 0;      // particles touching the hull at the end of the interval
-  double kinetic_energy = 0.0;    //!< of the ice [J]
+  double kinetic_energy = 0.0;    //!< of the ice, v(t - dt/2) . v(t + dt/2) for v^2 [J]
+
+  // Energies since the start [J], docs/theory.md, "Energy". The ice gains hull_work - contact_loss.
+  double potential = 0.0;     // weight and lift
+  double hull_work = 0.0;     // of the hull on the ice
+  double contact_loss = 0.0;  // of it: friction, inelastic impact, moving particles to the surface
+  // Evaluated every few hundred steps, NaN between.
+  double elastic = std::numeric_limits<double>::quiet_NaN();
+  double fracture = std::numeric_limits<double>::quiet_NaN();  // of broken bonds
+  // What the ice has beyond what it was given: kinetic + potential + elastic + fracture - gain.
+  double balance_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct History {

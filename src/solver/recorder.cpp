@@ -5,18 +5,34 @@
 #include <cstdio>
 
 #include "base/units.h"
+#include "solver/runaway.h"
 
 namespace icebow {
 namespace {
 
-struct Motion {
-  std::int64_t energy_quanta = 0;
-  double fastest = 0.0;     //!< [m/s]
-  double x = 0.0, y = 0.0;  // reference position of the fastest particle [m]
-};
+std::int64_t samples_interval(const Scenario& s, double dt) {
+  return std::max<std::int64_t>(1, std::llround(sampling_interval(s.ice.h) / dt));
+}
+
+}  // namespace
+
+double sampling_interval(double h) {
+  return 0.08 * std::sqrt(h / gravity);
+}
+
+Recorder::Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& s, double dt_limit)
+    : comm_(comm),
+      V_(s.V),
+      dt_limit_(dt_limit),
+      steps_per_sample_(samples_interval(s, stepper.dt())),
+      watch_(comm, stepper, s, steps_per_sample_) {
+  const Material& m = stepper.material();
+  fastest_allowed_ = std::sqrt((m.kappa + 4.0 * m.mu / 3.0) / s.ice.rho);  // P wave
+  history_.interval = steps_per_sample_ * stepper.dt();
+}
 
 // NaN counts as infinitely fast.
-Motion motion(const IceSheet& sheet, double mass, double quantum) {
+Recorder::Motion Recorder::motion(const IceSheet& sheet) {
   Motion m;
   const Layout& layout = sheet.layout;
   for (int jl = 0; jl < layout.columns; ++jl) {
@@ -26,11 +42,9 @@ Motion motion(const IceSheet& sheet, double mass, double quantum) {
         double v2 = 0.0;
         for (const Field& v : sheet.v) v2 += v[row + l] * v[row + l];
         if (!(v2 < 1e12)) v2 = 1e12;
-        m.energy_quanta += std::llround(std::min(0.5 * mass * v2 / quantum, 1e12));
         if (v2 > m.fastest * m.fastest) {
           m.fastest = std::sqrt(v2);
-          m.x = sheet.lattice.x(layout.i0 + l);
-          m.y = sheet.lattice.y(layout.j0 + jl);
+          m.where = row + l;
         }
       }
     }
@@ -38,30 +52,14 @@ Motion motion(const IceSheet& sheet, double mass, double quantum) {
   return m;
 }
 
-}  // namespace
-
-double sampling_interval(double h) {
-  return 0.08 * std::sqrt(h / gravity);
-}
-
-Recorder::Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& s)
-    : comm_(comm), particle_mass_(s.ice.rho * stepper.sheet().lattice.particle_volume()), V_(s.V) {
-  const Material& m = stepper.material();
-  fastest_allowed_ = std::sqrt((m.kappa + 4.0 * m.mu / 3.0) / s.ice.rho);  // P wave
-  energy_quantum_ = std::ldexp(particle_mass_ * V_ * V_, -24);
-  steps_per_sample_ = std::max<std::int64_t>(1, std::llround(sampling_interval(s.ice.h) / stepper.dt()));
-  history_.interval = steps_per_sample_ * stepper.dt();
-}
-
 bool Recorder::sample(Stepper& stepper, std::string& reason) {
-  const Motion m = motion(stepper.sheet(), particle_mass_, energy_quantum_);
+  const Motion m = motion(stepper.sheet());
   ExactImpulse impulse = stepper.take_impulse();
-  std::int64_t totals[9];
+  std::int64_t totals[8];
   std::copy(impulse.counts().begin(), impulse.counts().end(), totals);
   totals[6] = stepper.broken_bonds();
   totals[7] = stepper.contacts();
-  totals[8] = m.energy_quanta;
-  comm_.sum(totals, 9);
+  comm_.sum(totals, 8);
 
   HistoryRow row;
   row.t = stepper.time();
@@ -72,23 +70,41 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
   }
   row.broken_bonds = totals[6];
   row.contacts = totals[7];
-  row.kinetic_energy = totals[8] * energy_quantum_;
+  stepper.timer().lap(Phase::sampling);
+  watch_.sample(stepper, row);
+  stepper.timer().lap(Phase::energy);
   history_.rows.push_back(row);
 
   const double fastest = comm_.max(m.fastest);
-  if (fastest <= fastest_allowed_) return true;
-  // The rank that holds the runaway particle tells the others where it is.
-  const double holder = comm_.max(m.fastest == fastest ? comm_.rank() : -1.0);
-  double place[2] = {m.x, m.y};
-  comm_.broadcast(place, sizeof place, static_cast<int>(holder));
-  char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "unstable at step %lld (t = %.4g s, advance %.4g m): a particle first at x = %.3f m, y = %.3f m moves "
-      "faster than sound (%.3g m/s); take a smaller time step",
-      static_cast<long long>(stepper.steps()), row.t, row.advance, place[0], place[1], fastest);
-  reason = text;
+  if (fastest <= fastest_allowed_ && watch_.surplus() == 0.0) return true;
+  reason = describe_failure(stepper, m, fastest);
   return false;
+}
+
+// Collective: the rank that holds the runaway particle tells the others about it.
+std::string Recorder::describe_failure(const Stepper& stepper, const Motion& m, double fastest) const {
+  const int holder = static_cast<int>(comm_.max(m.fastest == fastest ? comm_.rank() : -1.0));
+  std::string place;
+  char text[256];
+  if (comm_.rank() == holder) {
+    const IceSheet& sheet = stepper.sheet();
+    const Layout& layout = sheet.layout;
+    const int i = layout.i0 + static_cast<int>(m.where % layout.stride) - ghost_blocks * block;
+    const int j = layout.j0 + static_cast<int>(m.where / layout.stride) / layout.nz - reach;
+    std::snprintf(text, sizeof text, "the particle first at x = %.3f m, y = %.3f m is the fastest (%.3g m/s)",
+                  sheet.lattice.x(i), sheet.lattice.y(j), fastest);
+    place = text + std::string("; likely cause: ") + likely_cause(stepper, m.where, dt_limit_);
+  }
+  place = comm_.broadcast(place, holder);
+  const HistoryRow& row = history_.rows.back();
+  std::snprintf(text, sizeof text, "unstable at step %lld (t = %.4g s, advance %.4g m): ",
+                static_cast<long long>(stepper.steps()), row.t, row.advance);
+  std::string words = text;
+  if (fastest > fastest_allowed_) return words + "ice moves faster than sound: " + place;
+  std::snprintf(text, sizeof text,
+                "the ice has gained %.3g J that nobody gave it (hull's work %.3g J): ", watch_.surplus(),
+                row.hull_work);
+  return words + text + place;
 }
 
 }  // namespace icebow

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/communicator.h"
+#include "solver/energy_watch.h"
 #include "solver/history.h"
 #include "solver/stepper.h"
 
@@ -11,18 +12,28 @@ namespace icebow {
 
 class Recorder {
  public:
-  Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& scenario);
+  // `dt_limit` [s] is for the words of a failure; 0 = unknown.
+  Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& scenario, double dt_limit = 0.0);
 
   std::int64_t steps_per_sample() const { return steps_per_sample_; }
-  // Collective: adds a row for the interval that ends now. False where the ice is no longer finite, or faster
-  // than a sound wave; `reason` then says where and when.
+  // Collective: adds a row for the interval that ends now. False where the ice is no longer finite, is faster
+  // than a sound wave, or has energy that nobody gave it (EnergyWatch); `reason` then says when and where,
+  // and what the likely cause is.
   bool sample(Stepper& stepper, std::string& reason);
   const History& history() const { return history_; }
 
  private:
+  struct Motion {
+    double fastest = 0.0;   //!< [m/s]
+    std::size_t where = 0;  // the fastest particle
+  };
+  static Motion motion(const IceSheet& sheet);
+  std::string describe_failure(const Stepper& stepper, const Motion& motion, double fastest) const;
+
   const Communicator& comm_;
-  double particle_mass_, V_, fastest_allowed_, energy_quantum_;
+  double V_, fastest_allowed_, dt_limit_;
   std::int64_t steps_per_sample_;
+  EnergyWatch watch_;
   History history_;
 };
 

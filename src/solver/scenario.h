@@ -55,6 +55,9 @@ struct Scenario {
   double V = 0.0;            //!< ship speed along +x [m/s]
   double advance = 0.0;      //!< distance from first touch to the end of the run [m]
   double steady_from = 0.0;  //!< metrics use the record from this advance on [m]
+  // The run ends early once the mean load's 95 % interval has a half width of at most this part of it; 0 =
+  // never.
+  double stop_when_ci95_below = 0.0;
 };
 
 }  // namespace icebow

@@ -11,6 +11,7 @@
 #include "solver/snapshots.h"
 #include "solver/stability.h"
 #include "solver/stepper.h"
+#include "solver/stop_rule.h"
 
 namespace icebow {
 namespace {
@@ -117,6 +118,13 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   return metrics;
 }
 
+double latest_balance(const History& history) {
+  for (auto row = history.rows.rbegin(); row != history.rows.rend(); ++row) {
+    if (!std::isnan(row->balance_error)) return row->balance_error;
+  }
+  return 0.0;
+}
+
 class Loop {
  public:
   Loop(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const RunOptions& options,
@@ -125,7 +133,7 @@ class Loop {
 
   void run(const Lattice& lattice) {
     Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
-    Recorder recorder(comm_, stepper, s_);
+    Recorder recorder(comm_, stepper, s_, result_.dt_limit);
     Snapshots snapshots(comm_, hull_, s_, options_);
     result_.s0 = stepper.material().s0;
     std::int64_t bonds = stepper.sheet().bits.count();
@@ -134,6 +142,7 @@ class Loop {
     result_.status = RunStatus::ok;
 
     start_ = last_report_ = Clock::now();
+    stepper.timer().start();
     while (stepper.steps() < result_.steps) {
       stepper.step();
       if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
@@ -142,15 +151,23 @@ class Loop {
         break;
       }
       snapshots.write_due(stepper, s_.V * stepper.time());
+      stepper.timer().lap(Phase::output);
       if (report(stepper, recorder.history())) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";
         break;
       }
+      if (recorded_enough(recorder.history())) {
+        result_.ended = RunEnd::interval_narrow_enough;
+        break;
+      }
     }
+    stepper.timer().lap(Phase::other);
     result_.wall_seconds = seconds_since(start_);
+    result_.profile = profile_of(comm_, stepper.timer());
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
-    if (result_.status == RunStatus::ok) snapshots.write_due(stepper, s_.advance);
+    if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
+      snapshots.write_due(stepper, s_.advance);
     result_.steps = stepper.steps();
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();
@@ -164,6 +181,12 @@ class Loop {
     return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
   }
 
+  // Collective: the root decides, so that ranks on unlike machines agree.
+  bool recorded_enough(const History& history) const {
+    if (!(s_.stop_when_ci95_below > 0.0)) return false;
+    return comm_.any(comm_.is_root() && enough_recorded(history, s_.steady_from, s_.stop_when_ci95_below));
+  }
+
   // Collective: tells the observer and asks it whether to stop.
   bool report(const Stepper& stepper, const History& history) {
     bool stop = false;
@@ -173,7 +196,7 @@ class Loop {
         const HistoryRow& row = history.rows.back();
         const double seconds = seconds_since(start_);
         options_.on_progress({stepper.steps(), result_.steps, row.advance, -row.F[0], seconds,
-                              ns_per_bond(stepper.steps(), seconds)});
+                              ns_per_bond(stepper.steps(), seconds), row.hull_work, latest_balance(history)});
       }
       stop = options_.stop && options_.stop();
     }

@@ -8,16 +8,19 @@
 #include "base/quad_mesh.h"
 #include "solver/history.h"
 #include "solver/metrics.h"
+#include "solver/profile.h"
 #include "solver/scenario.h"
 
 namespace icebow {
 
 struct Progress {
   std::int64_t step = 0, steps = 0;
-  double advance = 0.0;      //!< [m]
-  double load = 0.0;         //!< latest resistance sample [N]
-  double seconds = 0.0;      //!< wall time so far
-  double ns_per_bond = 0.0;  //!< per directed bond per step
+  double advance = 0.0;        //!< [m]
+  double load = 0.0;           //!< latest resistance sample [N]
+  double seconds = 0.0;        //!< wall time so far
+  double ns_per_bond = 0.0;    //!< per directed bond per step
+  double hull_work = 0.0;      //!< of the hull on the ice [J]
+  double balance_error = 0.0;  //!< of the energy balance when it was last drawn up [J]
 };
 
 struct RunOptions {
@@ -29,10 +32,12 @@ struct RunOptions {
 };
 
 enum class RunStatus { ok, failed, interrupted };
+enum class RunEnd { advance_reached, interval_narrow_enough };  // why a run that is ok ended
 
 struct RunResult {
   RunStatus status = RunStatus::failed;
-  std::string reason;  // why it failed, with time, step and place
+  std::string reason;  // why it failed, with time, step, place and likely cause
+  RunEnd ended = RunEnd::advance_reached;
   History history;
   Metrics metrics;
   double dt = 0.0;             //!< [s]
@@ -42,6 +47,7 @@ struct RunResult {
   std::int64_t directed_bonds = 0;
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
+  Profile profile;                      // where the wall time went
   std::vector<std::string> pictures;    // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };

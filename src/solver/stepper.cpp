@@ -65,13 +65,12 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
           s, lattice,
           make_partition(lattice, comm.rank(), comm.size(), comm.size() > 1 ? s.numerics.ranks_along_x : 0),
           material_),
-      displacements_(comm, sheet_.partition, sheet_.layout, {&sheet_.u[0], &sheet_.u[1], &sheet_.u[2]},
-                     ghost_blocks, 0),
-      dilatations_(comm, sheet_.partition, sheet_.layout, {&sheet_.theta}, 1, 1),
       contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
       hull_box_(bounding_box(hull)),
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
-      no_impulse_(impulse_) {
+      no_impulse_(impulse_),
+      ledger_(EnergyModel(s, lattice, material_, dt)),
+      schedule_(comm, sheet_, timer_) {
   drift_.dt = dt;
   drift_.gravity = s.water.buoyancy_and_gravity ? gravity : 0.0;
   drift_.lift = s.water.buoyancy_and_gravity ? gravity * s.water.rho / s.ice.rho : 0.0;
@@ -88,63 +87,20 @@ void Stepper::set_hull_box() {
 }
 
 // Velocity Verlet in its half-step form: `v` lives between the positions, one force evaluation a step.
-//
-// Messages travel while other columns are worked on: the edges move first; the dilatation goes upwards and
-// the force downwards, so that what a neighbour needs first is ready first and what it sends last is needed
-// last.
 void Stepper::step() {
   ++steps_;
   contacts_ = 0;
   set_hull_box();
-  move_and_send();
-  dilate();
-  accelerate();
+  broken_bonds_ += schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
+  ledger_.close_step(sheet_);
+  timer_.lap(Phase::energy);
 }
 
 void Stepper::move(int jl0, int jl1) {
-  if (jl0 >= jl1) return;
   sheet_.drift(drift_, jl0, jl1);
-  contacts_ += contact_.apply(sheet_, hull_x(), jl0, jl1, impulse_);
-}
-
-void Stepper::move_and_send() {
-  Halo& halo = displacements_;
-  const int n = sheet_.layout.columns, low = std::min(reach, n), high = std::max(low, n - reach);
-  halo.start();
-  move(0, low);
-  move(high, n);
-  halo.send(Halo::south);
-  halo.send(Halo::north);
-  for (int c = 0; c < halo.chunks(); ++c) {
-    move(std::max(low, halo.chunk_begin(c)), std::min(high, halo.chunk_end(c)));
-    halo.send(Halo::chunk(c));
-  }
-}
-
-void Stepper::dilate() {
-  dilatations_.start();
-  displacements_.wait(Halo::south);
-  displacements_.wait(Halo::chunk(0));
-  const int chunks = displacements_.chunks();
-  for (int c = 0; c < chunks; ++c) {
-    const bool last = c + 1 == chunks;
-    displacements_.wait(last ? Halo::north : Halo::chunk(c + 1));
-    const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
-    broken_bonds_ += sheet_.dilatation(begin, displacements_.chunk_end(c));
-    if (c == 0) dilatations_.send(Halo::south);
-    dilatations_.send(Halo::chunk(c));
-  }
-  dilatations_.send(Halo::north);
-}
-
-void Stepper::accelerate() {
-  dilatations_.wait(Halo::north);
-  for (int c = dilatations_.chunks() - 1; c >= 0; --c) {
-    dilatations_.wait(Halo::chunk(c));
-    sheet_.force(dilatations_.chunk_begin(c), dilatations_.chunk_end(c));
-  }
-  dilatations_.wait(Halo::south);
-  sheet_.force(sheet_.first_column(), 0);
+  timer_.lap(Phase::drift);
+  contacts_ += contact_.apply(sheet_, hull_x(), jl0, jl1, impulse_, ledger_);
+  timer_.lap(Phase::contact);
 }
 
 ExactImpulse Stepper::take_impulse() {

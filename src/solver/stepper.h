@@ -6,10 +6,11 @@
 #include "base/communicator.h"
 #include "solver/contact.h"
 #include "solver/exact_sum.h"
-#include "solver/halo.h"
+#include "solver/phase_timer.h"
 #include "solver/scenario.h"
 #include "solver/sheet.h"
 #include "solver/stencil.h"
+#include "solver/step_schedule.h"
 
 namespace icebow {
 
@@ -32,22 +33,23 @@ class Stepper {
   ExactImpulse take_impulse();
   int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
   std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
+  const ContactLedger& ledger() const { return ledger_; }
+  PhaseTimer& timer() { return timer_; }
 
  private:
   void set_hull_box();
   void move(int jl0, int jl1);  // drift and contact of columns
-  void move_and_send();
-  void dilate();
-  void accelerate();
 
   double dt_, V_, start_x_;
   Material material_;
   IceSheet sheet_;
-  Halo displacements_, dilatations_;  // of the neighbouring ranks
   HullContact contact_;
   Box hull_box_;
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
+  ContactLedger ledger_;
+  PhaseTimer timer_;
+  StepSchedule schedule_;
   std::int64_t steps_ = 0, broken_bonds_ = 0;
   int contacts_ = 0;
 };

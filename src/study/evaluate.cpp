@@ -163,6 +163,7 @@ void DesignRun::take(const RunResult& run) {
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
                              {"steps", run.steps},
+                             {"ended", ended_json(run)},
                              {"nx", run.nx},
                              {"ny", run.ny},
                              {"nz", run.nz},
@@ -171,6 +172,7 @@ void DesignRun::take(const RunResult& run) {
                              {"wall_s", run.wall_seconds},
                              {"critical_stretch", run.s0},
                              {"lambda", case_.lambda}};
+  e_.result["profile"] = profile_json(run);
   Json pictures = Json::array();
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
     pictures.push_back({{"file", run.pictures[i]}, {"advance_m", run.picture_advance.at(i)}});
@@ -201,7 +203,7 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
-  for (const char* part : {"hull", "lindqvist", "metrics", "simulation"}) {
+  for (const char* part : {"hull", "lindqvist", "metrics", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }

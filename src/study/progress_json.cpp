@@ -5,8 +5,14 @@
 namespace icebow {
 
 std::string progress_line(const Progress& p) {
-  return Json{{"step", p.step},   {"steps", p.steps},     {"advance_m", p.advance},
-              {"load_N", p.load}, {"seconds", p.seconds}, {"ns_per_bond", p.ns_per_bond}}
+  return Json{{"step", p.step},
+              {"steps", p.steps},
+              {"advance_m", p.advance},
+              {"load_N", p.load},
+              {"seconds", p.seconds},
+              {"ns_per_bond", p.ns_per_bond},
+              {"hull_work_J", p.hull_work},
+              {"balance_error_J", p.balance_error}}
       .dump();
 }
 
@@ -23,6 +29,8 @@ std::optional<Progress> progress_from_line(const std::string& line) {
   p.load = number("load_N");
   p.seconds = number("seconds");
   p.ns_per_bond = number("ns_per_bond");
+  p.hull_work = number("hull_work_J");
+  p.balance_error = number("balance_error_J");
   return p;
 }
 

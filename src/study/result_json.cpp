@@ -128,4 +128,23 @@ Json metrics_json(const RunResult& run, double lambda) {
   return json;
 }
 
+Json ended_json(const RunResult& run) {
+  if (run.status != RunStatus::ok) return nullptr;
+  return run.ended == RunEnd::advance_reached ? "advance reached" : "interval narrow enough";
+}
+
+Json profile_json(const RunResult& run) {
+  double total = 0.0;
+  for (const PhaseTime& p : run.profile) total += p.mean;
+  const double ms = run.steps > 0 ? 1e3 / static_cast<double>(run.steps) : 0.0;
+  Json json = Json::array();
+  for (const PhaseTime& p : run.profile) {
+    json.push_back({{"phase", p.phase},
+                    {"ms_per_step", number(p.mean * ms)},
+                    {"share", number(p.mean / total)},
+                    {"max_ms_per_step", number(p.max * ms)}});
+  }
+  return json;
+}
+
 }  // namespace icebow

@@ -25,4 +25,10 @@ Json lindqvist_inputs_json(const LindqvistInputs& inputs);
 // Froude's law with lambda = full scale / simulated scale.
 Json metrics_json(const RunResult& run, double lambda);
 
+// Why the run ended: "advance reached" or "interval narrow enough"; null where it failed.
+Json ended_json(const RunResult& run);
+// [{"phase", "ms_per_step", "share", "max_ms_per_step"}], mean and maximum over the ranks; share of the
+// mean's sum.
+Json profile_json(const RunResult& run);
+
 }  // namespace icebow

@@ -82,6 +82,7 @@ void read_operation_and_sheet(const Section& operation, const Section& sheet, Ca
   c.V = operation.number("speed");
   c.advance = given_or(operation, "advance", 2.75 * c.bow.B);
   c.steady_from = given_or(operation, "steady_from", 0.2 * c.advance);
+  c.stop_when_ci95_below = given_or(operation, "stop_when_ci95_below", 0.0);
   c.sheet.length = given_or(sheet, "length", c.advance + c.bow.Lf + c.bow.B);
   c.sheet.width = given_or(sheet, "width", 3.5 * c.bow.B);
   c.sheet.fixed = fixed_edges(sheet.text("fixed_edges", "sides"));
@@ -195,6 +196,7 @@ Scenario model_scenario(const Case& full) {
   s.V = model(full.V, scaling::speed);
   s.advance = model(full.advance, scaling::length);
   s.steady_from = model(full.steady_from, scaling::length);
+  s.stop_when_ci95_below = full.stop_when_ci95_below;
   return s;
 }
 

@@ -55,6 +55,7 @@ const std::vector<Key> table = {
   {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
   {"operation", "advance", Quantity::length, 0.001, 20000, false, none, "2.75 B", "distance sailed from first touch to the end of the run", {}},
   {"operation", "steady_from", Quantity::length, 0, 20000, false, none, "0.2 x advance", "metrics use the record from this advance on", {}},
+  {"operation", "stop_when_ci95_below", Quantity::number, 0.01, 1, false, none, "the whole advance is run", "end the run once the half width of the mean load's 95 % interval is at most this part of the mean", {}},
 
   {"solver", "spacing", Quantity::length, 0.0001, 5, false, none, "thickness / layers", "lattice spacing; instead of layers", {}},
   {"solver", "layers", Quantity::integer, 1, 50, false, 3, "3", "particles through the thickness; instead of spacing", {}},

@@ -21,9 +21,10 @@ struct Case {
   Water water;
   Sheet sheet;
   Numerics numerics;
-  double V = 0.0;            //!< [m/s]
-  double advance = 0.0;      //!< [m]
-  double steady_from = 0.0;  //!< [m]
+  double V = 0.0;                     //!< [m/s]
+  double advance = 0.0;               //!< [m]
+  double steady_from = 0.0;           //!< [m]
+  double stop_when_ci95_below = 0.0;  // relative half width that ends a run early; 0 = none does
   int snapshots = 0, pictures = 0;
 };
 

@@ -29,6 +29,15 @@ Evaluation evaluated(const std::string& name, EvaluationStatus status, const std
   return e;
 }
 
+// Of a temporary file, which is closed.
+std::string contents(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  std::fclose(file);
+  return text;
+}
+
 // What a display writes in a small study.
 std::string written(ProgressDisplay::Mode mode, bool colour) {
   std::FILE* file = std::tmpfile();
@@ -44,11 +53,7 @@ std::string written(ProgressDisplay::Mode mode, bool colour) {
     display.on_finished(evaluated("Bad", EvaluationStatus::failed, "unstable at step 7\nmore"), true);
     display.on_study_finished({});
   }
-  std::string text;
-  std::rewind(file);
-  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
-  std::fclose(file);
-  return text;
+  return contents(file);
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -100,6 +105,26 @@ TEST_CASE("bars are drawn over and gone at the end; colour only where asked for"
   CHECK(has(text, "\033[2A\033[J"));
   CHECK_FALSE(has(text, "\033[32m"));
   CHECK(has(written(ProgressDisplay::Mode::bars, true), "\033[32mok, mean load 969.0 kN\033[0m"));
+}
+
+TEST_CASE("a run on its own says step, speed, load and energy balance on a line of 80 columns") {
+  std::FILE* file = std::tmpfile();
+  REQUIRE(file != nullptr);
+  {
+    ProgressDisplay display(file, ProgressDisplay::Mode::bars, false);
+    StudyPlan plan;
+    plan.designs.resize(1);
+    display.on_planned(plan);
+    Progress p = at(12345, 52335);
+    p.ns_per_bond = 0.4132;
+    p.hull_work = 58.73;
+    p.balance_error = -0.47;
+    display.on_progress("baseline", p);
+  }
+  const std::string text = contents(file);
+  CHECK(has(text, "[##------] 23 %  eta "));
+  CHECK(has(text, "12345/52335  0.413 ns/bond  35.2 N  58.7 J -0.8 %\n"));
+  CHECK(columns(text.substr(0, text.find('\n'))) < 80);
 }
 
 TEST_CASE("text is measured and cut in characters, not in bytes") {

@@ -56,6 +56,11 @@ void check_same(const RunResult& many, const RunResult& one) {
     CHECK(a.broken_bonds == b.broken_bonds);
     CHECK(a.contacts == b.contacts);
     CHECK(a.kinetic_energy == b.kinetic_energy);
+    CHECK(a.potential == b.potential);
+    CHECK(a.hull_work == b.hull_work);
+    CHECK(a.contact_loss == b.contact_loss);
+    CHECK(std::memcmp(&a.elastic, &b.elastic, sizeof a.elastic) == 0);  // NaN where it was not evaluated
+    CHECK(std::memcmp(&a.balance_error, &b.balance_error, sizeof a.balance_error) == 0);
   }
   CHECK(many.metrics.broken_volume == one.metrics.broken_volume);
   CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
@@ -134,6 +139,35 @@ TEST_CASE("the other contact rules run and measure a load of the same order") {
     CHECK(r.metrics.resistance.mean > 0.3 * reference);
     CHECK(r.metrics.resistance.mean < 3.0 * reference);
   }
+}
+
+TEST_CASE("a run that has recorded enough ends by itself, at the same step on every rank") {
+  Scenario s = tiny();
+  s.sheet.length = 2.0;
+  s.advance = 1.5;
+  s.ice.K_I = 10e3;  // brittle: many small events, a short correlation time
+  s.stop_when_ci95_below = 1.0;
+  const RunResult r = simulate(test_world(), tiny_hull(), s, {});
+  REQUIRE(r.status == RunStatus::ok);
+  CHECK(r.ended == RunEnd::interval_narrow_enough);
+  CHECK(r.metrics.resistance.ci95 <= r.metrics.resistance.mean);
+  CHECK(r.metrics.resistance.effective_samples >= 30.0);
+  CHECK(r.history.rows.back().advance < 1.4);
+  CHECK(test_world().max(double(r.steps)) == -test_world().max(-double(r.steps)));
+}
+
+TEST_CASE("the wall time of a run is told by phase") {
+  Scenario s = tiny();
+  s.advance = 0.05;
+  const RunResult r = simulate(test_world(), tiny_hull(), s, {});
+  double sum = 0.0;
+  for (const PhaseTime& p : r.profile) {
+    CHECK(p.mean <= p.max * (1.0 + 1e-9));
+    sum += p.mean;
+  }
+  CHECK(r.profile.size() >= 7);
+  CHECK(sum <= 1.05 * r.wall_seconds + 0.05);
+  CHECK(sum >= 0.5 * r.wall_seconds);
 }
 
 TEST_CASE("a run can be stopped from outside") {

@@ -52,7 +52,7 @@ inline Evaluation fake_evaluate(const Communicator&, const Design& design, const
     e.reason = "stem beyond 35 deg";
     return e;
   }
-  if (options.on_progress) options.on_progress({5, 10, 0.5, 7.0, 0.1, 2.0});
+  if (options.on_progress) options.on_progress({5, 10, 0.5, 7.0, 0.1, 2.0, 1.5, -0.01});
   e.status = EvaluationStatus::ok;
   const double load =
       design.name == "not a number" ? std::numeric_limits<double>::quiet_NaN() : fake_load(stem, waterline);

@@ -57,6 +57,7 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { bit(c.V); },
       [&](Case& c) { bit(c.advance); },
       [&](Case& c) { bit(c.steady_from); },
+      [&](Case& c) { bit(c.stop_when_ci95_below); },
       [&](Case& c) { ++c.snapshots; },
       [&](Case& c) { ++c.pictures; }};
   std::set<std::string> keys = {evaluation_key(base, true, true), evaluation_key(base, false, true),

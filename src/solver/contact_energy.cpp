@@ -1,0 +1,54 @@
+#include "solver/contact_energy.h"
+
+#include <algorithm>
+
+namespace icebow {
+
+void ContactLedger::passed(std::size_t p, double z) {
+  now_.push_back({p, z, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), false});
+}
+
+void ContactLedger::struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v,
+                           const Vec3& push) {
+  counts_.hull_work += model_.quanta(model_.mass * delta_v.x() * model_.V);
+  counts_.gain += model_.quanta(model_.mass * delta_v.dot(v_before + 0.5 * delta_v));
+  now_.push_back({p, z, delta_v, push, Vec3::Zero(), true});
+}
+
+void ContactLedger::close_step(const IceSheet& sheet) {
+  // Columns move in any order.
+  std::sort(now_.begin(), now_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
+  auto before = before_.begin();
+  for (Touch& now : now_) {
+    for (int c = 0; c < 3; ++c) now.acceleration[c] = sheet.acceleration[c][now.p];
+    now.acceleration.z() += model_.weight_and_lift(now.z + sheet.u[2][now.p]);
+    while (before != before_.end() && before->p < now.p) ++before;
+    const bool known = before != before_.end() && before->p == now.p;
+    if (now.struck) account(now, known ? before->acceleration : now.acceleration);
+  }
+  before_.swap(now_);
+  now_.clear();
+}
+
+// The trapezoidal work of the relocation, and of the late change of velocity: the last terms of eq. (24).
+void ContactLedger::account(const Touch& now, const Vec3& acceleration_before) {
+  const double work = 0.5 * model_.mass *
+                      (model_.dt * now.acceleration.dot(now.delta_v) -
+                       (acceleration_before + now.acceleration).dot(now.push));
+  counts_.gain += model_.quanta(work);
+}
+
+bool ContactLedger::beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const {
+  const Layout& layout = sheet.layout;
+  for (const Touch& touch : before_) {
+    const std::size_t padded_row = touch.p / layout.stride;
+    const int j = layout.j0 + static_cast<int>(padded_row / layout.nz) - reach;
+    const int i = layout.i0 + static_cast<int>(touch.p % layout.stride) - ghost_blocks * block;
+    const Vec3 reference(sheet.lattice.x(i), sheet.lattice.y(j), touch.z);
+    const Vec3 u(sheet.u[0][touch.p], sheet.u[1][touch.p], sheet.u[2][touch.p]);
+    if ((reference + u - position).norm() <= distance) return true;
+  }
+  return false;
+}
+
+}  // namespace icebow

@@ -1,0 +1,48 @@
+// What the hull does to the energy of the ice, strike by strike: equations (23) and (24) of docs/theory.md.
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+#include "solver/energy.h"
+
+namespace icebow {
+
+// So far and of one rank, in quanta of the energy model.
+struct ContactCounts {
+  std::int64_t hull_work = 0;  // impulse on the ice . V
+  std::int64_t gain = 0;  // of the ice: the rest is lost to friction, inelastic impact and moving particles
+};
+
+// The strikes of one step wait for the accelerations after it. The work of a relocation also needs the
+// acceleration before it, which the drift uses up: so it is kept for all particles next to the surface.
+class ContactLedger {
+ public:
+  explicit ContactLedger(const EnergyModel& model) : model_(model) {}
+
+  // A particle (its place p in the fields, the reference height z of its row) near the hull but outside.
+  void passed(std::size_t p, double z);
+  void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
+  // When forces are known: the step's strikes are accounted for.
+  void close_step(const IceSheet& sheet);
+
+  const EnergyModel& model() const { return model_; }
+  const ContactCounts& counts() const { return counts_; }
+  // Whether the last step found the hull's surface at a particle within a distance [m] of a place.
+  bool beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const;
+
+ private:
+  struct Touch {
+    std::size_t p;
+    double z;  //!< reference height [m]
+    Vec3 delta_v, push, acceleration;
+    bool struck;
+  };
+  void account(const Touch& now, const Vec3& acceleration_before);
+
+  EnergyModel model_;
+  std::vector<Touch> now_, before_;
+  ContactCounts counts_;
+};
+
+}  // namespace icebow

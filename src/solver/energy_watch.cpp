@@ -1,0 +1,67 @@
+#include "solver/energy_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace icebow {
+namespace {
+
+constexpr std::int64_t steps_per_evaluation = 1000;
+// Of the work done: above what is seen in sound runs (docs/verification.md), far below a blow-up.
+constexpr double tolerated = 0.25;
+
+double gain(const HistoryRow& row) {
+  return row.hull_work - row.contact_loss;
+}
+
+}  // namespace
+
+EnergyWatch::EnergyWatch(const Communicator& comm, const Stepper& stepper, const Scenario& s,
+                         std::int64_t steps_per_sample)
+    : comm_(comm),
+      model_(stepper.ledger().model()),
+      samples_per_evaluation_((steps_per_evaluation + steps_per_sample - 1) / steps_per_sample),
+      floor_(0.5 * s.ice.rho * std::pow(s.ice.h, 3) * s.V * s.V) {
+  const Energies e = total(sheet_energy(stepper.sheet(), model_));
+  start_ = e.kinetic + e.potential + e.elastic;
+  fracture_at_start_ = e.fracture;
+}
+
+EnergyWatch::Energies EnergyWatch::total(const EnergyCounts& own) const {
+  std::int64_t counts[4] = {own.kinetic, own.potential, own.elastic, own.fracture};
+  comm_.sum(counts, 4);
+  const double q = model_.quantum;
+  return {counts[0] * q, counts[1] * q, counts[2] * q, counts[3] * q};
+}
+
+void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
+  const ContactCounts& contact = stepper.ledger().counts();
+  std::int64_t counts[2] = {contact.hull_work, contact.gain};
+  comm_.sum(counts, 2);
+  row.hull_work = counts[0] * model_.quantum;
+  row.contact_loss = (counts[0] - counts[1]) * model_.quantum;
+
+  const bool with_bonds = ++samples_ % samples_per_evaluation_ == 0;
+  const IceSheet& sheet = stepper.sheet();
+  const Energies e = total(with_bonds ? sheet_energy(sheet, model_) : motion_energy(sheet, model_));
+  row.kinetic_energy = e.kinetic;
+  row.potential = e.potential;
+  if (with_bonds) {
+    row.elastic = e.elastic;
+    row.fracture = fracture_ = e.fracture - fracture_at_start_;
+    row.balance_error = e.kinetic + e.potential + e.elastic + row.fracture - start_ - gain(row);
+  }
+  judge(row);
+}
+
+// Between evaluations the elastic energy is unknown but not negative, and fracture energy only grows: what is
+// left is a lower bound of the balance.
+void EnergyWatch::judge(const HistoryRow& row) {
+  const double bound = row.kinetic_energy + row.potential + fracture_ - start_ - gain(row);
+  const double balance = std::isnan(row.balance_error) ? bound : row.balance_error;
+  const double allowed = tolerated * (std::abs(row.hull_work) + std::abs(start_)) + floor_;
+  surplus_ = balance - lowest_ > allowed ? balance - lowest_ : 0.0;
+  if (!std::isnan(row.balance_error)) lowest_ = std::min(lowest_, row.balance_error);
+}
+
+}  // namespace icebow

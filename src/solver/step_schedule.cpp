@@ -1,0 +1,72 @@
+#include "solver/step_schedule.h"
+
+#include <algorithm>
+
+namespace icebow {
+
+StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer& timer)
+    : sheet_(sheet),
+      timer_(timer),
+      displacements_(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
+                     ghost_blocks, 0),
+      dilatations_(comm, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1) {}
+
+std::int64_t StepSchedule::run(const Move& move) {
+  displace(move);
+  const std::int64_t broken = dilate();
+  accelerate();
+  return broken;
+}
+
+void StepSchedule::displace(const Move& move) {
+  Halo& halo = displacements_;
+  const int n = sheet_.layout.columns, low = std::min(reach, n), high = std::max(low, n - reach);
+  halo.start();
+  move(0, low);
+  if (high < n) move(high, n);
+  halo.send(Halo::south);
+  halo.send(Halo::north);
+  timer_.lap(Phase::halo_u);
+  for (int c = 0; c < halo.chunks(); ++c) {
+    const int begin = std::max(low, halo.chunk_begin(c)), end = std::min(high, halo.chunk_end(c));
+    if (begin < end) move(begin, end);
+    halo.send(Halo::chunk(c));
+    timer_.lap(Phase::halo_u);
+  }
+}
+
+std::int64_t StepSchedule::dilate() {
+  dilatations_.start();
+  displacements_.wait(Halo::south);
+  displacements_.wait(Halo::chunk(0));
+  std::int64_t broken = 0;
+  const int chunks = displacements_.chunks();
+  for (int c = 0; c < chunks; ++c) {
+    displacements_.wait(c + 1 == chunks ? Halo::north : Halo::chunk(c + 1));
+    timer_.lap(Phase::halo_u);
+    const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
+    broken += sheet_.dilatation(begin, displacements_.chunk_end(c));
+    timer_.lap(Phase::dilatation);
+    if (c == 0) dilatations_.send(Halo::south);
+    dilatations_.send(Halo::chunk(c));
+    timer_.lap(Phase::halo_theta);
+  }
+  dilatations_.send(Halo::north);
+  return broken;
+}
+
+void StepSchedule::accelerate() {
+  dilatations_.wait(Halo::north);
+  for (int c = dilatations_.chunks() - 1; c >= 0; --c) {
+    dilatations_.wait(Halo::chunk(c));
+    timer_.lap(Phase::halo_theta);
+    sheet_.force(dilatations_.chunk_begin(c), dilatations_.chunk_end(c));
+    timer_.lap(Phase::force);
+  }
+  dilatations_.wait(Halo::south);
+  timer_.lap(Phase::halo_theta);
+  sheet_.force(sheet_.first_column(), 0);
+  timer_.lap(Phase::force);
+}
+
+}  // namespace icebow
