@@ -18,6 +18,7 @@ class Recorder {
   // than a sound wave; `reason` then says where and when.
   bool sample(Stepper& stepper, std::string& reason);
   const History& history() const { return history_; }
+  void restore(const std::vector<HistoryRow>& rows) { history_.rows = rows; }
 
  private:
   const Communicator& comm_;

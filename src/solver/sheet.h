@@ -77,13 +77,16 @@ class IceSheet {
   bool mobile(int jl, int local_i) const {
     return !held(layout.i0 + local_i, layout.j0 + jl) && layout.i0 + local_i < lattice.nx;
   }
+  // At block 0 of a row, rows and blocks as of BondBits; see RowFields.
+  std::uint8_t* touched(int jl, int k) { return &touched_[touched_index(jl, k)]; }
+  const std::uint8_t* touched(int jl, int k) const { return &touched_[touched_index(jl, k)]; }
 
  private:
+  std::size_t touched_index(int jl, int k) const {
+    return (std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1;
+  }
   RowFields fields(int jl, int k);
   void select_column(int jl);
-  std::uint8_t* touched(int jl, int k) {
-    return &touched_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
-  }
   int first_row() const { return partition.south >= 0 ? -reach : 0; }
 
   FixedEdges fixed_;

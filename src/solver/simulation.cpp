@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/errors.h"
+#include "solver/checkpoint.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
 #include "solver/snapshots.h"
@@ -133,7 +134,12 @@ class Loop {
     result_.directed_bonds = 2 * bonds;
     result_.status = RunStatus::ok;
 
-    start_ = last_report_ = Clock::now();
+    RunState state{stepper, recorder, snapshots};
+    Checkpoints checkpoints(comm_, hull_, s_, options_);
+    checkpoints.resume(state);
+    last_report_ = Clock::now();
+    start_ = last_report_ -
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state.wall_seconds));
     while (stepper.steps() < result_.steps) {
       stepper.step();
       if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
@@ -142,7 +148,10 @@ class Loop {
         break;
       }
       snapshots.write_due(stepper, s_.V * stepper.time());
-      if (report(stepper, recorder.history())) {
+      const bool stop = report(stepper, recorder.history());
+      state.wall_seconds = seconds_since(start_);
+      checkpoints.write_due(state, stop);
+      if (stop) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";
         break;
@@ -151,6 +160,7 @@ class Loop {
     result_.wall_seconds = seconds_since(start_);
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok) snapshots.write_due(stepper, s_.advance);
+    if (result_.status != RunStatus::interrupted) checkpoints.remove();
     result_.steps = stepper.steps();
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();

@@ -26,6 +26,22 @@ Snapshots::Snapshots(const Communicator& comm, const QuadMesh& hull, const Scena
                      const RunOptions& options)
     : comm_(comm), hull_(hull), scenario_(scenario), options_(options) {}
 
+Json Snapshots::record() const {
+  return {{"snapshots", snapshots_},
+          {"ice_steps", ice_steps_},
+          {"hull_steps", hull_steps_},
+          {"pictures", pictures_},
+          {"picture_advance", picture_advance_}};
+}
+
+void Snapshots::restore(const Json& record) {
+  record.at("snapshots").get_to(snapshots_);
+  record.at("ice_steps").get_to(ice_steps_);
+  record.at("hull_steps").get_to(hull_steps_);
+  record.at("pictures").get_to(pictures_);
+  record.at("picture_advance").get_to(picture_advance_);
+}
+
 bool Snapshots::write_due(const Stepper& stepper, double advance) {
   if (options_.directory.empty()) return false;
   const bool paraview = due(snapshots_, options_.snapshots, advance, scenario_.advance);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/communicator.h"
+#include "base/json.h"
 #include "solver/sheet_state.h"
 #include "solver/simulation.h"
 #include "solver/stepper.h"
@@ -24,6 +25,10 @@ class Snapshots {
 
   const std::vector<std::string>& pictures() const { return pictures_; }
   const std::vector<double>& picture_advance() const { return picture_advance_; }
+
+  // What was written so far, as a checkpoint keeps it.
+  Json record() const;
+  void restore(const Json& record);
 
  private:
   void write_paraview(const SheetState& state, double time, double hull_x);

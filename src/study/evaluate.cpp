@@ -141,6 +141,10 @@ void DesignRun::run_simulation() {
 RunResult DesignRun::simulated() {
   RunOptions run_options{options_.directory, case_.snapshots, case_.pictures, options_.on_progress,
                          options_.stop};
+  if (writes()) run_options.checkpoint_file = path(checkpoint_name);
+  run_options.checkpoint_every_s = options_.checkpoint_every_s;
+  run_options.resume = options_.resume;
+  run_options.on_resume = options_.on_resume;
   RunResult run;
   std::string error;
   bool machine = false;
