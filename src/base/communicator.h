@@ -44,6 +44,9 @@ class Communicator {
   int rank_, size_;
 };
 
+// Collective: where any rank is in trouble all throw RuntimeError, with the words of the first that is.
+void fail_together(const Communicator& comm, const std::string& trouble);
+
 // MPI for the lifetime of the program when mpirun started it, nothing otherwise.
 class MpiSession {
  public:

@@ -80,6 +80,7 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("advance", s.advance);
   text.add("steady_from", s.steady_from);
   text.add("snapshots", options.snapshots);
+  text.add("snapshot_format", static_cast<int>(options.snapshot_format));
   text.add("pictures", options.pictures);
   text.add("hull", hull_checksum(hull));
   return text.str();

@@ -93,12 +93,8 @@ struct ParallelFile::Native {
     return properties;
   }
 
-  // All ranks throw where one of them failed, with the words of the first that did.
   void agree(bool ok, const std::string& why) const {
-    const double failed = comm.max(ok ? -1.0 : double(comm.size() - comm.rank()));
-    if (failed < 0.0) return;
-    const int rank = comm.size() - static_cast<int>(failed);
-    throw RuntimeError("cannot " + std::string(doing) + " " + path + ": " + comm.broadcast(why, rank));
+    fail_together(comm, ok ? "" : "cannot " + std::string(doing) + " " + path + ": " + why);
   }
   void agree(bool ok) const { agree(ok, ok ? std::string() : last_error()); }
 

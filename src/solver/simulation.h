@@ -9,6 +9,7 @@
 #include "solver/history.h"
 #include "solver/metrics.h"
 #include "solver/scenario.h"
+#include "solver/snapshot_format.h"
 
 namespace icebow {
 
@@ -28,9 +29,11 @@ enum class Resume {
 };
 
 struct RunOptions {
-  std::string directory;  // where ice.pvd, hull.pvd, their steps and ice_*.png go; empty = no files
-  int snapshots = 0;      // ParaView snapshots, equally spaced in advance, the last one at the end
-  int pictures = 0;       // top-view PNG pictures, likewise: ice_000.png ...
+  // Where ice.pvd (or ice.vtkhdf.series), hull.pvd, their steps and ice_*.png go; empty = no files.
+  std::string directory;
+  int snapshots = 0;  // ParaView snapshots, equally spaced in advance, the last one at the end
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+  int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
   std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
   // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended.

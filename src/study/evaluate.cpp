@@ -142,6 +142,7 @@ RunResult DesignRun::simulated() {
   RunOptions run_options;
   run_options.directory = options_.directory;
   run_options.snapshots = case_.snapshots;
+  run_options.snapshot_format = case_.snapshot_format;
   run_options.pictures = case_.pictures;
   run_options.on_progress = options_.on_progress;
   run_options.stop = options_.stop;

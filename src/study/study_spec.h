@@ -9,6 +9,7 @@
 #include "formula/lindqvist.h"
 #include "hullgen/bow.h"
 #include "solver/scenario.h"
+#include "solver/snapshot_format.h"
 
 namespace icebow {
 
@@ -25,6 +26,7 @@ struct Case {
   double advance = 0.0;      //!< [m]
   double steady_from = 0.0;  //!< [m]
   int snapshots = 0, pictures = 0;
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
 };
 
 // The same case as the solver wants it: model scale.
