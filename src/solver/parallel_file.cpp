@@ -44,6 +44,14 @@ std::vector<hsize_t> sizes(const std::vector<std::uint64_t>& values) {
   return {values.begin(), values.end()};
 }
 
+// MPI-IO has no place for an array without elements.
+bool is_empty(const Slab& slab) {
+  for (std::uint64_t n : slab.extent) {
+    if (n == 0) return true;
+  }
+  return false;
+}
+
 // A selection of HDF5; nothing where a count is 0.
 hid_t selection(const Slab& slab) {
   const std::vector<hsize_t> extent = sizes(slab.extent), start = sizes(slab.start),
@@ -167,6 +175,7 @@ void ParallelFile::write_raw(const std::string& name, Type type, const Slab& in_
   const Handle set(
       H5Dcreate2(n.file, name.c_str(), native_type, there, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
   n.agree(set.ok());
+  if (is_empty(in_file)) return;
   n.agree(H5Dwrite(set, native_type, here, there, n.transfer, memory) >= 0);
 }
 
@@ -178,6 +187,7 @@ void ParallelFile::read_raw(const std::string& name, Type type, const Slab& in_f
   const Handle stored(H5Dget_space(set), H5Sclose), there(selection(in_file), H5Sclose),
       here(selection(in_memory), H5Sclose);
   n.agree(H5Sextent_equal(stored, there) > 0, name + " has another size than it should");
+  if (is_empty(in_file)) return;
   n.agree(H5Dread(set, Native::native_type(type), here, there, n.transfer, memory) >= 0);
 }
 

@@ -147,10 +147,12 @@ class Loop {
         result_.status = RunStatus::failed;
         break;
       }
+      const auto sampled = Clock::now();
       snapshots.write_due(stepper, s_.V * stepper.time());
       const bool stop = report(stepper, recorder.history());
       state.wall_seconds = seconds_since(start_);
       checkpoints.write_due(state, stop);
+      result_.output_seconds += seconds_since(sampled);
       if (stop) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";

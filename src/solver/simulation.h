@@ -57,6 +57,7 @@ struct RunResult {
   std::int64_t directed_bonds = 0;
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
+  double output_seconds = 0.0;          // of the wall time, since the run was started: files and pictures
   std::vector<std::string> pictures;    // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };

@@ -236,6 +236,25 @@ TEST_CASE("a file that is cut short is refused and stays as it is") {
   }
 }
 
+TEST_CASE("lists and texts come back on every rank, empty ones too") {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "parallel_file");
+  const std::string path = folder.file("lists.h5");
+  ParallelFile written = ParallelFile::create(world, path);
+  const bool root = world.is_root();
+  written.write_list("numbers", std::vector<double>{root ? 1.5 : 0.0, root ? -2.0 : 0.0});
+  written.write_list("none", std::vector<std::int64_t>{});
+  written.write_text("text", "sheet");
+  written.write_text("silence", "");
+  written.close();
+  ParallelFile read = ParallelFile::open(world, path);
+  CHECK(read.read_list<double>("numbers") == std::vector<double>{1.5, -2.0});
+  CHECK(read.read_list<std::int64_t>("none").empty());
+  CHECK(read.read_text("text") == "sheet");
+  CHECK(read.read_text("silence").empty());
+  CHECK_THROWS_WITH(read.read_text("other"), Catch::Contains(path));
+}
+
 TEST_CASE("a directory that is not there is named on every rank") {
   const Communicator& world = test_world();
   CHECK_THROWS_WITH(ParallelFile::create(world, "/nonexistent/c.h5"), Catch::Contains("/nonexistent/c.h5"));
