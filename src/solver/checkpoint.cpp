@@ -182,6 +182,7 @@ void Checkpoints::remove() {
   if (options_.checkpoint_file.empty() || !comm_.is_root()) return;
   std::error_code ignored;  // one that stays is refused or continued at its end: no harm
   std::filesystem::remove(options_.checkpoint_file, ignored);
+  std::filesystem::remove(options_.checkpoint_file + ".tmp", ignored);  // of one that was killed
 }
 
 }  // namespace icebow
