@@ -92,6 +92,9 @@ struct ParallelFile::Native {
 
   // Through MPI-IO, and together, where there is more than one rank.
   hid_t access() {
+    // At the end of the program HDF5 would try again, and crash, on a file that a full disk left unfinished.
+    // Those that were closed are whole.
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const hid_t properties = H5Pcreate(H5P_FILE_ACCESS);
     if (comm.size() == 1) return properties;
