@@ -7,6 +7,11 @@ find_package(CGAL 5.5 REQUIRED)
 find_package(OpenTURNS REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(PNG REQUIRED)
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+if(NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "HDF5 was found without MPI: install the parallel one (Debian: libhdf5-openmpi-dev)")
+endif()
 find_package(Threads REQUIRED)
 
 # Debian splits NLopt in a C and a C++ library whose CMake packages share one name: ask for the files.

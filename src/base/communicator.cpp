@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "base/communicator_native.h"
+#include "base/errors.h"
 
 namespace icebow {
 namespace {
@@ -91,6 +92,11 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
     parts.emplace_back(all_bytes.begin() + starts[r], all_bytes.begin() + starts[r] + lengths[r]);
   }
   return parts;
+}
+
+void fail_together(const Communicator& comm, const std::string& trouble) {
+  const double turn = comm.max(trouble.empty() ? -1.0 : double(comm.size() - comm.rank()));
+  if (turn > 0.0) throw RuntimeError(comm.broadcast(trouble, comm.size() - static_cast<int>(turn)));
 }
 
 bool MpiSession::started_by_mpirun() {

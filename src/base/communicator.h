@@ -1,4 +1,5 @@
-// A group of ranks. MPI stays behind this wall: only communicator.cpp and solver/halo.cpp include <mpi.h>.
+// A group of ranks. MPI stays behind this wall: only communicator.cpp, solver/halo.cpp and
+// solver/parallel_file.cpp include <mpi.h>.
 //
 // Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one
 // rank. Every call named collective must be made by all ranks of the group, with arguments of the same size.
@@ -32,7 +33,7 @@ class Communicator {
   // Root gets every rank's bytes in rank order, the others get nothing.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes, int root = 0) const;
 
-  struct Native;  // holds the MPI communicator; defined in communicator_native.h for halo.cpp
+  struct Native;  // holds the MPI communicator; see communicator_native.h
   const Native* native() const { return native_.get(); }
 
   Communicator(std::shared_ptr<const Native> native, int rank, int size)
@@ -42,6 +43,9 @@ class Communicator {
   std::shared_ptr<const Native> native_;
   int rank_, size_;
 };
+
+// Collective: where any rank is in trouble all throw RuntimeError, with the words of the first that is.
+void fail_together(const Communicator& comm, const std::string& trouble);
 
 // MPI for the lifetime of the program when mpirun started it, nothing otherwise.
 class MpiSession {

@@ -1,4 +1,4 @@
-// For communicator.cpp and solver/halo.cpp only.
+// For communicator.cpp, solver/halo.cpp and solver/parallel_file.cpp only.
 #pragma once
 
 #include <mpi.h>

@@ -27,6 +27,11 @@ EvaluateOptions options_for(const Arguments& arguments, const std::string& desig
   options.directory = arguments.value("--out");
   options.on_progress = [&display, design](const Progress& p) { display.on_progress(design, p); };
   options.stop = StopSignal::raised;
+  options.resume = arguments.has("--restart") ? Resume::never : Resume::always;
+  options.on_resume = [&display, options](std::int64_t step) {
+    display.announce("continues at step " + std::to_string(step) + " from " + options.directory + "/" +
+                     checkpoint_name + " (--restart starts anew)");
+  };
   return options;
 }
 
@@ -63,7 +68,7 @@ int report(const Evaluation& e, const Arguments& arguments) {
   if (arguments.has("--profile") && e.result.contains("profile") && e.result.at("profile").is_array())
     std::cerr << profile_table(e.result.at("profile"));
   if (e.status == EvaluationStatus::running) {
-    std::cerr << "icebow simulate: interrupted; the same command starts the run again\n";
+    std::cerr << "icebow simulate: interrupted; the same command continues the run\n";
     return exit_code::interrupted;
   }
   if (arguments.has("--json")) {

@@ -42,20 +42,24 @@ const std::vector<Command>& commands() {
        "one ship-ice run of one design",
        "Writes DIR/result.json, history.csv, pictures, and ice.pvd and hull.pvd for ParaView (10 snapshots "
        "where the\n"
-       "study asks for none). Takes the file's own design where --design names no other.",
+       "study asks for none). Takes the file's own design where --design names no other.\n"
+       "The same command again goes on where it was interrupted, on any number of ranks.",
        {set,
         design,
         {"--out", "DIR", "directory of the results", true},
         {"--profile", "", "say at the end where the time of a step went"},
+        {"--restart", "", "start anew where DIR holds an interrupted run"},
         json},
        true,
        run_simulate},
       {"run",
        "STUDY",
        "the whole study: evaluate every design, rank, report",
-       "The same command again goes on where it was interrupted: what DIR holds is not computed twice. "
-       "Writes\n"
-       "DIR/report.html, ranking.csv and ranking.md at the end. Exits with 3 where some designs failed.",
+       "The same command again goes on where it was interrupted: what DIR holds is not computed twice, "
+       "and of a design\n"
+       "under way the last five minutes at most are. Writes DIR/report.html, ranking.csv and ranking.md at "
+       "the end.\n"
+       "Exits with 3 where some designs failed.",
        {set,
         {"--out", "DIR", "directory of the study", true},
         {"--jobs", "N", "designs at once; default: as the study says"},

@@ -50,10 +50,10 @@ class ProgressDisplay : public StudyObserver {
   void on_progress(const std::string& design, const Progress& progress) override;
   void on_finished(const Evaluation& evaluation, bool recalled) override;
   void on_study_finished(const StudyOutcome& outcome) override;
+  void announce(const std::string& line);  // scrolls by above the bars
 
  private:
   double now() const;
-  void announce(const std::string& line);  // scrolls by above the bars
   void update(bool at_once);
   void draw_bars();
   void erase_bars();

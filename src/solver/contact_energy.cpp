@@ -38,6 +38,36 @@ void ContactLedger::account(const Touch& now, const Vec3& acceleration_before) {
   counts_.gain += model_.quanta(work);
 }
 
+std::vector<double> ContactLedger::record(const IceSheet& sheet) const {
+  const Layout& layout = sheet.layout;
+  std::vector<double> numbers;
+  for (const Touch& touch : before_) {
+    const int padded_row = static_cast<int>(touch.p / layout.stride);
+    const int i = layout.i0 + static_cast<int>(touch.p % layout.stride) - ghost_blocks * block;
+    const int j = layout.j0 + padded_row / layout.nz - reach, k = padded_row % layout.nz;
+    const Vec3& a = touch.acceleration;
+    numbers.insert(numbers.end(), {double(sheet.lattice.id(i, j, k)), touch.z, a.x(), a.y(), a.z()});
+  }
+  return numbers;
+}
+
+void ContactLedger::restore(const ContactCounts& counts, const std::vector<double>& record,
+                            const IceSheet& sheet) {
+  const Lattice& lattice = sheet.lattice;
+  const Layout& layout = sheet.layout;
+  counts_ = counts;
+  before_.clear();
+  for (std::size_t n = 0; n + 5 <= record.size(); n += 5) {
+    const std::int64_t id = static_cast<std::int64_t>(record[n]), row = id / lattice.nx;
+    const int il = static_cast<int>(id % lattice.nx) - layout.i0;
+    const int jl = static_cast<int>(row / lattice.nz) - layout.j0, k = static_cast<int>(row % lattice.nz);
+    if (il < 0 || il >= layout.blocks * block || jl < 0 || jl >= layout.columns) continue;
+    before_.push_back({layout.row(jl, k) + il, record[n + 1], Vec3::Zero(), Vec3::Zero(),
+                       Vec3(record[n + 2], record[n + 3], record[n + 4]), false});
+  }
+  std::sort(before_.begin(), before_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
+}
+
 bool ContactLedger::beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const {
   const Layout& layout = sheet.layout;
   for (const Touch& touch : before_) {

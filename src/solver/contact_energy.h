@@ -26,6 +26,11 @@ class ContactLedger {
   // When forces are known: the step's strikes are accounted for.
   void close_step(const IceSheet& sheet);
 
+  // The last step's particles next to the hull, five numbers each: number in the lattice, reference height,
+  // acceleration. And back, from all ranks' lists in any order: a rank takes its own.
+  std::vector<double> record(const IceSheet& sheet) const;
+  void restore(const ContactCounts& counts, const std::vector<double>& record, const IceSheet& sheet);
+
   const EnergyModel& model() const { return model_; }
   const ContactCounts& counts() const { return counts_; }
   // Whether the last step found the hull's surface at a particle within a distance [m] of a place.

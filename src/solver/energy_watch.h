@@ -1,6 +1,8 @@
 // The energy balance of a run, and the alarm where energy appears that nobody gave.
 #pragma once
 
+#include <vector>
+
 #include "base/communicator.h"
 #include "solver/history.h"
 #include "solver/stepper.h"
@@ -20,6 +22,18 @@ class EnergyWatch {
   // breaking bonds explain: above a quarter of the work done so far and of the energy at the start, and above
   // that of a cube of ice, as wide as the sheet is thick, at the ship's speed. Zero otherwise [J].
   double surplus() const { return surplus_; }
+
+  // What a run that goes on later needs; the same on every rank.
+  std::vector<double> record() const {
+    return {double(samples_), start_, fracture_at_start_, fracture_, lowest_};
+  }
+  void restore(const std::vector<double>& record) {
+    samples_ = static_cast<std::int64_t>(record.at(0));
+    start_ = record.at(1);
+    fracture_at_start_ = record.at(2);
+    fracture_ = record.at(3);
+    lowest_ = record.at(4);
+  }
 
  private:
   struct Energies {

@@ -14,6 +14,8 @@ namespace icebow {
 // Impulse and angular impulse of the ice on the hull over one sampling interval.
 class ExactImpulse {
  public:
+  using Counts = std::array<std::int64_t, 6>;
+
   // Resolution 2^-36 of the momentum m V of a particle that moves with the ship: sums of 10^8 such terms
   // still fit.
   ExactImpulse(double particle_mass, double V, double dx)
@@ -28,13 +30,14 @@ class ExactImpulse {
       counts_[c + 3] += std::llround(moment[c] / angular_);
     }
   }
-  std::array<std::int64_t, 6>& counts() { return counts_; }
+  Counts& counts() { return counts_; }
+  const Counts& counts() const { return counts_; }
   double linear() const { return linear_; }
   double angular() const { return angular_; }
 
  private:
   double linear_, angular_;
-  std::array<std::int64_t, 6> counts_{};
+  Counts counts_{};
 };
 
 }  // namespace icebow

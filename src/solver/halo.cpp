@@ -59,7 +59,11 @@ Halo::Halo(const Communicator& comm, const Partition& partition, const Layout& l
   }
 }
 
-Halo::~Halo() = default;
+Halo::~Halo() {
+  for (auto& group : groups_) {
+    for (auto& m : group) MPI_Wait(&m->requests[1], MPI_STATUS_IGNORE);
+  }
+}
 
 // The pair of messages with the neighbour in a direction: `own` goes there, `ghost` comes from there.
 void Halo::add(int group, int dx, int dy, int chunk, const Region& own, const Region& ghost) {
@@ -109,6 +113,8 @@ void Halo::start() {
 
 void Halo::send(int group) {
   for (auto& m : groups_[group]) {
+    // Of the step before. Not in wait(): the neighbour may take this message later than it sends its own.
+    MPI_Wait(&m->requests[1], MPI_STATUS_IGNORE);
     copy(m->own, m->outgoing, true);
     MPI_Isend(m->outgoing.data(), static_cast<int>(m->outgoing.size()), MPI_BYTE, m->peer, m->send_tag,
               comm_.native()->comm, &m->requests[1]);
@@ -117,7 +123,7 @@ void Halo::send(int group) {
 
 void Halo::wait(int group) {
   for (auto& m : groups_[group]) {
-    MPI_Waitall(2, m->requests, MPI_STATUSES_IGNORE);
+    MPI_Wait(&m->requests[0], MPI_STATUS_IGNORE);
     copy(m->ghost, m->incoming, false);
   }
 }

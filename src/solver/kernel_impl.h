@@ -14,6 +14,20 @@ constexpr int at_once = block / Simd<Real>::lanes < 2 ? 1 : 2;
 template <bool per_lane>
 constexpr int slot_size = constants_per_slot*(per_lane ? block : 1);
 
+// One constant of a slot for N vectors, loaded once: a compiler must think that a store may change it.
+template <class Real, bool per_lane, int N>
+class Constants {
+ public:
+  Constants(const Real* slot, int which) {
+    for (int v = 0; v < (per_lane ? N : 1); ++v)
+      c_[v] = Simd<Real>::template constant<per_lane>(slot, which, v);
+  }
+  typename Simd<Real>::V operator[](int v) const { return c_[per_lane ? v : 0]; }
+
+ private:
+  typename Simd<Real>::V c_[per_lane ? N : 1];
+};
+
 template <class Real, int n>
 inline typename Simd<Real>::V series(const Real (&c)[n], typename Simd<Real>::V e) {
   typename Simd<Real>::V p = Simd<Real>::splat(c[n - 1]);
@@ -40,21 +54,25 @@ BlockState calm_theta(const RowFields<Real>& f, const RowTables<Real>& t, const 
   const std::ptrdiff_t* const end = t.neighbour + t.n_slots;
   for (const std::ptrdiff_t* nb = t.neighbour; nb != end; ++nb, slot += slot_size<per_lane>) {
     const std::ptrdiff_t n = *nb;
+    const Constants<Real, per_lane, N> xi0(slot, xi2_x), xi1(slot, xi2_y), xi2(slot, xi2_z),
+        weight(slot, calm_dilatation), iL2(slot, inverse_L2);
+    V term[N];
     for (int v = 0; v < N; ++v) {
       const std::ptrdiff_t o = n + v * S::lanes;
       // q = (-eta) . (-eta - 2 xi)
       const V m0 = c0[v] - S::load(u0 + o), m1 = c1[v] - S::load(u1 + o), m2 = c2[v] - S::load(u2 + o);
-      V q = m0 * (m0 - S::template constant<per_lane>(slot, xi2_x, v));
-      q += m1 * (m1 - S::template constant<per_lane>(slot, xi2_y, v));
-      q += m2 * (m2 - S::template constant<per_lane>(slot, xi2_z, v));
-      V term = q * S::template constant<per_lane>(slot, calm_dilatation, v);
-      if constexpr (LawDegrees<Real>::calm > 0) {
-        term *= series<Real>(law.calm.G, q * S::template constant<per_lane>(slot, inverse_L2, v));
-      }
-      own[v] += term;
-      high[v] = S::max(high[v], term);
-      low[v] = S::min(low[v], term);
-      S::store(theta + o, S::load(theta + o) + term);
+      V q = m0 * (m0 - xi0[v]);
+      q += m1 * (m1 - xi1[v]);
+      q += m2 * (m2 - xi2[v]);
+      term[v] = q * weight[v];
+      if constexpr (LawDegrees<Real>::calm > 0) term[v] *= series<Real>(law.calm.G, q * iL2[v]);
+    }
+    for (int v = 0; v < N; ++v) {
+      own[v] += term[v];
+      high[v] = S::max(high[v], term[v]);
+      low[v] = S::min(low[v], term[v]);
+      Real* const there = theta + n + v * S::lanes;
+      S::store(there, S::load(there) + term[v]);
     }
   }
   const Real calm_limit = law.e_calm * t.theta_per_strain, small_limit = law.e_small * t.theta_per_strain;
@@ -89,22 +107,19 @@ void calm_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
   const std::ptrdiff_t* const end = t.neighbour + t.n_slots;
   for (const std::ptrdiff_t* nb = t.neighbour; nb != end; ++nb, slot += slot_size<per_lane>) {
     const std::ptrdiff_t n = *nb;
+    const Constants<Real, per_lane, N> xi0(slot, xi_x), xi1(slot, xi_y), xi2(slot, xi_z),
+        pressure_of(slot, pressure_weight), stretch_of(slot, calm_distortion), iL2(slot, inverse_L2);
     for (int v = 0; v < N; ++v) {
       const std::ptrdiff_t o = n + v * S::lanes;
-      const V xi0 = S::template constant<per_lane>(slot, xi_x, v),
-              xi1 = S::template constant<per_lane>(slot, xi_y, v),
-              xi2 = S::template constant<per_lane>(slot, xi_z, v);
       // Minus eta, minus y; q = (-eta) . (-y - xi)
       const V m0 = c0[v] - S::load(u0 + o), m1 = c1[v] - S::load(u1 + o), m2 = c2[v] - S::load(u2 + o);
-      const V y0 = m0 - xi0, y1 = m1 - xi1, y2 = m2 - xi2;
-      V q = m0 * (y0 - xi0);
-      q += m1 * (y1 - xi1);
-      q += m2 * (y2 - xi2);
-      const V thetas = own_theta[v] + S::load(theta + o);
-      V stretch = q * S::template constant<per_lane>(slot, calm_distortion, v),
-        pressure = thetas * S::template constant<per_lane>(slot, pressure_weight, v);
+      const V y0 = m0 - xi0[v], y1 = m1 - xi1[v], y2 = m2 - xi2[v];
+      V q = m0 * (y0 - xi0[v]);
+      q += m1 * (y1 - xi1[v]);
+      q += m2 * (y2 - xi2[v]);
+      V stretch = q * stretch_of[v], pressure = (own_theta[v] + S::load(theta + o)) * pressure_of[v];
       if constexpr (LawDegrees<Real>::calm > 0) {
-        const V e = q * S::template constant<per_lane>(slot, inverse_L2, v);
+        const V e = q * iL2[v];
         stretch *= series<Real>(law.calm.H, e);
         pressure *= series<Real>(law.calm.R, e);
       }
@@ -309,7 +324,7 @@ void force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const Bo
                     const Real* constants) {
   if (f.state[b] == touched) return block_force<Real, false, per_lane>(f, t, law, b, constants);
   if (f.state[b] == intact) return block_force<Real, true, per_lane>(f, t, law, b, constants);
-  constexpr int N = at_once<Real>, step = N * Simd<Real>::lanes;
+  constexpr int N = 1, step = Simd<Real>::lanes;  // two would need more registers than there are
   for (int lane0 = 0; lane0 < block; lane0 += step) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     calm_force<Real, per_lane, N>(f, t, law, x, constants + (per_lane ? lane0 : 0));

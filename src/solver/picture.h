@@ -10,10 +10,11 @@
 
 namespace icebow {
 
-// The sheet's particles gathered on one rank, any order. Model scale, metres; x, y, z current positions.
+// Particles of the sheet, any order. Model scale, metres; x, y, z current positions.
 struct IceCloud {
   std::vector<float> x, y, z;
   std::vector<float> ux, uy, uz;    // displacement
+  std::vector<float> vx, vy, vz;    // velocity; empty where nobody asks for it
   std::vector<float> damage;        // broken / initial bonds, 0..1
   std::vector<std::int32_t> piece;  // 0 = standing sheet, > 0 = floe number, -1 = crushed (small pieces)
   double dx = 0.0;                  //!< lattice spacing [m]
@@ -33,8 +34,11 @@ void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh
                     const PictureFrame& frame);
 
 // ParaView PolyData (.vtp), raw little-endian data appended; complete or absent. Throw RuntimeError naming
-// the file. The particles as vertices with the point arrays displacement (3 floats), damage, piece (int32).
+// the file. The particles as vertices with the point arrays displacement, velocity (3 floats), damage, piece
+// (int32).
 void write_ice_vtp(const std::string& path, const IceCloud& ice);
+// Names the ranks' files of write_ice_vtp, velocities included, beside it.
+void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pieces);
 // The hull's quads (triangles where a corner repeats) at hull_x, with the cell array patch (uint8, see
 // Patch).
 void write_hull_vtp(const std::string& path, const QuadMesh& hull, double hull_x);

@@ -21,6 +21,11 @@ class Recorder {
   // and what the likely cause is.
   bool sample(Stepper& stepper, std::string& reason);
   const History& history() const { return history_; }
+  const EnergyWatch& energy_watch() const { return watch_; }
+  void restore(const std::vector<HistoryRow>& rows, const std::vector<double>& watch) {
+    history_.rows = rows;
+    watch_.restore(watch);
+  }
 
  private:
   struct Motion {

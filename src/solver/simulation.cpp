@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/errors.h"
+#include "solver/checkpoint.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
 #include "solver/snapshots.h"
@@ -141,8 +142,13 @@ class Loop {
     result_.directed_bonds = 2 * bonds;
     result_.status = RunStatus::ok;
 
-    start_ = last_report_ = Clock::now();
+    RunState state{stepper, recorder, snapshots};
+    Checkpoints checkpoints(comm_, hull_, s_, options_);
+    checkpoints.resume(state);
     stepper.timer().start();
+    last_report_ = Clock::now();
+    start_ = last_report_ -
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state.wall_seconds));
     while (stepper.steps() < result_.steps) {
       stepper.step();
       if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
@@ -150,9 +156,15 @@ class Loop {
         result_.status = RunStatus::failed;
         break;
       }
+      const auto sampled = Clock::now();
       snapshots.write_due(stepper, s_.V * stepper.time());
       stepper.timer().lap(Phase::output);
-      if (report(stepper, recorder.history())) {
+      const bool stop = report(stepper, recorder.history());
+      state.wall_seconds = seconds_since(start_);
+      checkpoints.write_due(state, stop);
+      stepper.timer().lap(Phase::checkpoint);
+      result_.output_seconds += seconds_since(sampled);
+      if (stop) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";
         break;
@@ -168,6 +180,7 @@ class Loop {
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
       snapshots.write_due(stepper, s_.advance);
+    if (result_.status != RunStatus::interrupted) checkpoints.remove();
     result_.steps = stepper.steps();
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();

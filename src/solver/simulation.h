@@ -10,6 +10,7 @@
 #include "solver/metrics.h"
 #include "solver/profile.h"
 #include "solver/scenario.h"
+#include "solver/snapshot_format.h"
 
 namespace icebow {
 
@@ -23,12 +24,26 @@ struct Progress {
   double balance_error = 0.0;  //!< of the energy balance when it was last drawn up [J]
 };
 
+// What to do with a checkpoint that is already there.
+enum class Resume {
+  never,      // start anew; it stays until the next one takes its place
+  always,     // go on from it; one that is not of this run, or not whole, is an error
+  if_usable,  // go on from it, or start anew where that is impossible
+};
+
 struct RunOptions {
-  std::string directory;  // where ice.pvd, hull.pvd, their steps and ice_*.png go; empty = no files
-  int snapshots = 0;      // ParaView snapshots, equally spaced in advance, the last one at the end
-  int pictures = 0;       // top-view PNG pictures, likewise: ice_000.png ...
+  // Where ice.pvd (or ice.vtkhdf.series), hull.pvd, their steps and ice_*.png go; empty = no files.
+  std::string directory;
+  int snapshots = 0;  // ParaView snapshots, equally spaced in advance, the last one at the end
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+  int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
   std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
+  // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended.
+  std::string checkpoint_file;
+  double checkpoint_every_s = 300.0;  // wall time between two; 0 = only when the run is interrupted
+  Resume resume = Resume::always;
+  std::function<void(std::int64_t step)> on_resume;  // called on the root where the run goes on from one
 };
 
 enum class RunStatus { ok, failed, interrupted };
@@ -48,6 +63,7 @@ struct RunResult {
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
   Profile profile;                      // where the wall time went
+  double output_seconds = 0.0;          // of the wall time, since the run was started: files and pictures
   std::vector<std::string> pictures;    // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };

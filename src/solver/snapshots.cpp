@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "base/errors.h"
+#include "solver/local_cloud.h"
 #include "solver/picture.h"
+#include "solver/vtkhdf.h"
 
 namespace icebow {
 namespace {
@@ -26,34 +28,84 @@ Snapshots::Snapshots(const Communicator& comm, const QuadMesh& hull, const Scena
                      const RunOptions& options)
     : comm_(comm), hull_(hull), scenario_(scenario), options_(options) {}
 
+Json Snapshots::record() const {
+  return {{"snapshots", snapshots_},
+          {"ice_steps", ice_steps_},
+          {"hull_steps", hull_steps_},
+          {"pictures", pictures_},
+          {"picture_advance", picture_advance_}};
+}
+
+void Snapshots::restore(const Json& record) {
+  record.at("snapshots").get_to(snapshots_);
+  record.at("ice_steps").get_to(ice_steps_);
+  record.at("hull_steps").get_to(hull_steps_);
+  record.at("pictures").get_to(pictures_);
+  record.at("picture_advance").get_to(picture_advance_);
+}
+
 bool Snapshots::write_due(const Stepper& stepper, double advance) {
   if (options_.directory.empty()) return false;
   const bool paraview = due(snapshots_, options_.snapshots, advance, scenario_.advance);
   const bool picture = due(static_cast<int>(pictures_.size()), options_.pictures, advance, scenario_.advance);
   if (!paraview && !picture) return false;
-  const SheetState state = gather_state(comm_, stepper.sheet());
-  std::string trouble;  // a full disk on the root must not leave the others waiting
-  try {
-    if (paraview) write_paraview(state, stepper.time(), stepper.hull_x());
-    if (picture) write_picture(state, advance, stepper.hull_x());
-  } catch (const RuntimeError& error) {
-    trouble = error.what();
+  if (paraview) write_paraview(stepper);
+  if (picture) {
+    const SheetState state = gather_state(comm_, stepper.sheet());
+    together([&] { write_picture(state, advance, stepper.hull_x()); });
   }
-  trouble = comm_.broadcast(trouble);
-  if (!trouble.empty()) throw RuntimeError(trouble);
   return true;
 }
 
-void Snapshots::write_paraview(const SheetState& state, double time, double hull_x) {
-  const std::string ice = numbered("ice_%04d.vtp", snapshots_), hull = numbered("hull_%04d.vtp", snapshots_);
+// A full disk on one rank must not leave the others waiting.
+template <class Write>
+void Snapshots::together(const Write& write) const {
+  std::string trouble;
+  try {
+    write();
+  } catch (const RuntimeError& error) {
+    trouble = error.what();
+  }
+  fail_together(comm_, trouble);
+}
+
+void Snapshots::write_paraview(const Stepper& stepper) {
+  const std::string ice = write_ice(numbered("ice_%04d", snapshots_), local_cloud(comm_, stepper.sheet()));
+  together([&] {
+    if (comm_.is_root()) write_hull_and_lists(stepper.time(), stepper.hull_x(), ice);
+  });
   ++snapshots_;
-  if (!comm_.is_root()) return;
+}
+
+// Returns the name of the file to open.
+std::string Snapshots::write_ice(const std::string& stem, const IceCloud& own) {
   const std::string folder = options_.directory + "/";
-  write_ice_vtp(folder + ice, cloud(state));
+  if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
+    write_ice_vtkhdf(comm_, folder + stem + ".vtkhdf", own);
+    return stem + ".vtkhdf";
+  }
+  std::vector<std::string> pieces;
+  for (int rank = 0; rank < comm_.size(); ++rank)
+    pieces.push_back(stem + "_p" + std::to_string(rank) + ".vtp");
+  if (comm_.size() == 1) pieces = {stem + ".vtp"};
+  together([&] { write_ice_vtp(folder + pieces[comm_.rank()], own); });
+  if (comm_.size() == 1) return pieces[0];
+  together([&] {
+    if (comm_.is_root()) write_ice_pvtp(folder + stem + ".pvtp", pieces);
+  });
+  return stem + ".pvtp";
+}
+
+void Snapshots::write_hull_and_lists(double time, double hull_x, const std::string& ice) {
+  const std::string folder = options_.directory + "/", hull = numbered("hull_%04d.vtp", snapshots_);
   write_hull_vtp(folder + hull, hull_, hull_x);
   ice_steps_.emplace_back(time, ice);
   hull_steps_.emplace_back(time, hull);
-  write_pvd(folder + "ice.pvd", ice_steps_);
+  if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
+    write_series(folder + "ice.vtkhdf.series", ice_steps_);
+  } else {
+    write_pvd(folder + "ice.pvd", ice_steps_);
+  }
   write_pvd(folder + "hull.pvd", hull_steps_);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/communicator.h"
+#include "base/json.h"
 #include "solver/sheet_state.h"
 #include "solver/simulation.h"
 #include "solver/stepper.h"
@@ -18,15 +19,23 @@ class Snapshots {
   Snapshots(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
             const RunOptions& options);
 
-  // Collective: writes what is due at this advance; `state` is gathered at most once. Returns true where it
-  // did.
+  // Collective: writes what is due at this advance, and returns whether it did. The sheet is gathered on the
+  // root for a picture only.
   bool write_due(const Stepper& stepper, double advance);
 
   const std::vector<std::string>& pictures() const { return pictures_; }
   const std::vector<double>& picture_advance() const { return picture_advance_; }
 
+  // What was written so far, as a checkpoint keeps it.
+  Json record() const;
+  void restore(const Json& record);
+
  private:
-  void write_paraview(const SheetState& state, double time, double hull_x);
+  template <class Write>
+  void together(const Write& write) const;
+  void write_paraview(const Stepper& stepper);
+  std::string write_ice(const std::string& stem, const IceCloud& own);
+  void write_hull_and_lists(double time, double hull_x, const std::string& ice);
   void write_picture(const SheetState& state, double advance, double hull_x);
 
   const Communicator& comm_;

@@ -103,6 +103,12 @@ void Stepper::move(int jl0, int jl1) {
   timer_.lap(Phase::contact);
 }
 
+void Stepper::restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse) {
+  steps_ = steps;
+  broken_bonds_ = broken_bonds;
+  impulse_.counts() = impulse;
+}
+
 ExactImpulse Stepper::take_impulse() {
   return std::exchange(impulse_, no_impulse_);
 }

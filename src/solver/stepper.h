@@ -27,13 +27,19 @@ class Stepper {
   double time() const { return steps_ * dt_; }
   double hull_x() const { return start_x_ + V_ * time(); }
   const IceSheet& sheet() const { return sheet_; }
+  IceSheet& sheet() { return sheet_; }
   const Material& material() const { return material_; }
 
+  // To go on where another run was; counts are of this rank.
+  void restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse);
+
+  const ExactImpulse& impulse() const { return impulse_; }
   // Of this rank, since the last take_impulse().
   ExactImpulse take_impulse();
   int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
   std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
   const ContactLedger& ledger() const { return ledger_; }
+  ContactLedger& ledger() { return ledger_; }
   PhaseTimer& timer() { return timer_; }
 
  private:

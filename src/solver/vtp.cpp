@@ -1,10 +1,10 @@
 // VTK XML PolyData, data appended raw: each array is its size in bytes (UInt64), then its values; the XML
 // before it gives each array's offset from the underscore that opens the appended section.
-#include <cassert>
 #include <cstring>
 #include <sstream>
 
 #include "base/json.h"
+#include "solver/interleaved.h"
 #include "solver/picture.h"
 
 namespace icebow {
@@ -61,15 +61,6 @@ class PolyDataFile {
   std::string data_;
 };
 
-std::vector<float> interleaved(const std::vector<float>& x, const std::vector<float>& y,
-                               const std::vector<float>& z) {
-  assert(x.size() == y.size() && x.size() == z.size());
-  std::vector<float> xyz;
-  xyz.reserve(3 * x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) xyz.insert(xyz.end(), {x[i], y[i], z[i]});
-  return xyz;
-}
-
 std::string escaped(const std::string& text) {
   std::string result;
   for (char c : text) {
@@ -97,6 +88,7 @@ void write_ice_vtp(const std::string& path, const IceCloud& ice) {
   PolyDataFile file;
   file.open("PointData");
   file.array("displacement", 3, interleaved(ice.ux, ice.uy, ice.uz));
+  if (!ice.vx.empty()) file.array("velocity", 3, interleaved(ice.vx, ice.vy, ice.vz));
   file.array("damage", 1, ice.damage);
   file.array("piece", 1, ice.piece);
   file.close("PointData");
@@ -108,6 +100,27 @@ void write_ice_vtp(const std::string& path, const IceCloud& ice) {
   file.array("offsets", 1, offsets);
   file.close("Verts");
   file.write(path, n, n, 0);
+}
+
+void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pieces) {
+  std::ostringstream xml;
+  xml << "<?xml version=\"1.0\"?>\n"
+      << "<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      << "<PPolyData GhostLevel=\"0\">\n<PPointData>\n";
+  const auto array = [&](const char* type, const char* name, int components) {
+    xml << "<PDataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
+        << "\"/>\n";
+  };
+  array("Float32", "displacement", 3);
+  array("Float32", "velocity", 3);
+  array("Float32", "damage", 1);
+  array("Int32", "piece", 1);
+  xml << "</PPointData>\n<PPoints>\n";
+  array("Float32", "Points", 3);
+  xml << "</PPoints>\n";
+  for (const std::string& piece : pieces) xml << "<Piece Source=\"" << escaped(piece) << "\"/>\n";
+  xml << "</PPolyData>\n</VTKFile>\n";
+  write_text_file(path, xml.str());
 }
 
 void write_hull_vtp(const std::string& path, const QuadMesh& hull, double hull_x) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "study/evaluate.h"
 
 namespace icebow {
 namespace {
@@ -28,6 +29,13 @@ std::string set_aside(const Evaluation& e) {
   return e.name.substr(0, e.name.find('~')) + "~" + e.key.substr(0, 8);
 }
 
+// What a simulation that goes on from its checkpoint still needs.
+bool is_continued(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name == checkpoint_name || name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 ||
+         name == "hull.pvd";
+}
+
 }  // namespace
 
 std::string design_directory(const std::string& study_directory, const std::string& name) {
@@ -49,8 +57,14 @@ void settle_name(Store& store, const std::string& study_directory, const std::st
 void clear_design_directory(const std::string& study_directory, const std::string& name) {
   const fs::path directory = design_directory(study_directory, name);
   try {
-    fs::remove_all(directory);
+    const bool continues = fs::exists(directory / checkpoint_name);
+    if (!continues) fs::remove_all(directory);
     fs::create_directories(directory);
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+      if (!is_continued(entry.path())) old.push_back(entry.path());
+    }
+    for (const fs::path& path : old) fs::remove_all(path);
   } catch (const fs::filesystem_error& error) {
     throw RuntimeError(error.what());
   }

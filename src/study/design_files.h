@@ -16,7 +16,8 @@ std::string design_directory(const std::string& study_directory, const std::stri
 void settle_name(Store& store, const std::string& study_directory, const std::string& name,
                  const std::string& key);
 
-// An empty directory for a design that is about to be evaluated.
+// An empty directory for a design that is about to be evaluated; where it was interrupted, its simulation's
+// checkpoint, snapshots and pictures stay.
 void clear_design_directory(const std::string& study_directory, const std::string& name);
 
 }  // namespace icebow

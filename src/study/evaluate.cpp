@@ -139,8 +139,17 @@ void DesignRun::run_simulation() {
 // A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
 // not.
 RunResult DesignRun::simulated() {
-  RunOptions run_options{options_.directory, case_.snapshots, case_.pictures, options_.on_progress,
-                         options_.stop};
+  RunOptions run_options;
+  run_options.directory = options_.directory;
+  run_options.snapshots = case_.snapshots;
+  run_options.snapshot_format = case_.snapshot_format;
+  run_options.pictures = case_.pictures;
+  run_options.on_progress = options_.on_progress;
+  run_options.stop = options_.stop;
+  if (writes()) run_options.checkpoint_file = path(checkpoint_name);
+  run_options.checkpoint_every_s = options_.checkpoint_every_s;
+  run_options.resume = options_.resume;
+  run_options.on_resume = options_.on_resume;
   RunResult run;
   std::string error;
   bool machine = false;
@@ -170,6 +179,7 @@ void DesignRun::take(const RunResult& run) {
                              {"directed_bonds", run.directed_bonds},
                              {"ns_per_bond", run.ns_per_bond},
                              {"wall_s", run.wall_seconds},
+                             {"output_s", run.output_seconds},
                              {"critical_stretch", run.s0},
                              {"lambda", case_.lambda}};
   e_.result["profile"] = profile_json(run);

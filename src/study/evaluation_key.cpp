@@ -16,7 +16,7 @@ constexpr int result_version = 2;
 static_assert(sizeof(void*) != 8 || (sizeof(BowParameters) == 104 && sizeof(IceMaterial) == 48 &&
                                      sizeof(Water) == 16 && sizeof(Sheet) == 24 && sizeof(Numerics) == 56),
               "add the new field to describe() below, then correct the size");
-static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 104 + 48 + 8 + 16 + 24 + 56 + 32 + 8,
+static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 104 + 48 + 8 + 16 + 24 + 56 + 32 + 8 + 8,
               "add the new field of Case to evaluation_key() below, then correct the size");
 
 // One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
@@ -106,6 +106,8 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   text.add("stop_when_ci95_below", c.stop_when_ci95_below);
   text.add("snapshots", c.snapshots);
   text.add("pictures", c.pictures);
+  // As a stored result has it that is older than the choice.
+  if (c.snapshot_format != SnapshotFormat::vtp) text.add("snapshot_format", c.snapshot_format);
   return sha256(text.str());
 }
 

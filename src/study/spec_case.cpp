@@ -164,6 +164,7 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   const Section output(document, "output", c.lambda, mistakes);
   c.snapshots = output.integer("snapshots");
   c.pictures = output.integer("pictures");
+  if (output.text("format", "vtp") == "vtkhdf") c.snapshot_format = SnapshotFormat::vtkhdf;
   check_ship(c, s, mistakes);
   check_run(c, s, mistakes);
   return c;

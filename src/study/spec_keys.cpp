@@ -66,6 +66,7 @@ const std::vector<Key> table = {
   {"solver", "contact", Quantity::choice, 0, 0, false, none, "relocation", "contact rule between hull and ice", {"relocation", "paper", "penalty"}},
 
   {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},
+  {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},
   {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
 
   {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "latin_hypercube", "optimise"}},

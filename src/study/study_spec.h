@@ -9,6 +9,7 @@
 #include "formula/lindqvist.h"
 #include "hullgen/bow.h"
 #include "solver/scenario.h"
+#include "solver/snapshot_format.h"
 
 namespace icebow {
 
@@ -26,6 +27,7 @@ struct Case {
   double steady_from = 0.0;           //!< [m]
   double stop_when_ci95_below = 0.0;  // relative half width that ends a run early; 0 = none does
   int snapshots = 0, pictures = 0;
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
 };
 
 // The same case as the solver wants it: model scale.

@@ -222,6 +222,31 @@ class Simulate(ProgramTest):
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("interrupted", err)
 
+    def test_an_interrupted_run_continues(self):
+        words = ("simulate", TINY, "--set", "/solver/time_step_fraction=0.2", "--out")
+        out, checkpoint = self.directory / "run", self.directory / "run/checkpoint.h5"
+        process = start(*words, out)
+        while process.poll() is None and not any(out.glob("ice_0001*.vtp")):
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertIn("continues", err)
+        self.assertTrue(checkpoint.exists())
+        other = self.expect(1, *words, out, "--set", "/ice/thickness_m=1.9").stderr
+        self.assertIn(str(checkpoint), other)
+        self.assertIn("--restart", other)
+        resumed = self.expect(0, *words, out, ranks=2).stderr
+        self.assertEqual(len(re.findall(r"continues at step \d+ from", resumed)), 1, resumed)
+        self.assertFalse(checkpoint.exists())
+        self.expect(0, *words, self.directory / "straight")
+        for name in ("history.csv", "ice_000.png"):
+            self.assertEqual((out / name).read_bytes(), (self.directory / "straight" / name).read_bytes())
+        checkpoint.write_bytes(b"not HDF5")
+        self.assertIn("not a whole checkpoint", self.expect(1, *words, out).stderr)
+        short = ("--set", "/operation/advance_m=2")
+        self.assertNotIn("continues", self.expect(0, *words, out, *short, "--restart").stderr)
+
 
 class Run(ProgramTest):
     def test_a_study_from_start_to_report(self):

@@ -113,6 +113,19 @@ TEST_CASE("VTP: the particles come back") {
   CHECK(number(PolyData(folder.file("none.vtp")).xml, "NumberOfPoints") == 0);
 }
 
+TEST_CASE("VTP: velocities where there are some, and the file that names the ranks' pieces") {
+  const Folder folder;
+  IceCloud ice = three_particles();
+  ice.vx = {1, 2, 3}, ice.vy = {4, 5, 6}, ice.vz = {7, 8, 9};
+  write_ice_vtp(folder.file("ice_p0.vtp"), ice);
+  CHECK(PolyData(folder.file("ice_p0.vtp")).array<float>("PointData/velocity") ==
+        std::vector<float>{1, 4, 7, 2, 5, 8, 3, 6, 9});
+  write_ice_pvtp(folder.file("ice.pvtp"), {"ice_p0.vtp", "ice_p1.vtp"});
+  const std::string text = read_text_file(folder.file("ice.pvtp"));
+  for (const char* part : {"type=\"PPolyData\"", "<Piece Source=\"ice_p1.vtp\"/>", "Name=\"velocity\""})
+    CHECK_THAT(text, Catch::Contains(part));
+}
+
 TEST_CASE("VTP: the hull keeps quads, triangles, patches and its place") {
   const Folder folder;
   QuadMesh hull = shapes::box({0, 0, 0}, {1, 1, 1}, {1, 1, 1});

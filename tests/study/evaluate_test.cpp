@@ -113,6 +113,24 @@ TEST_CASE("an interrupted design is neither good nor bad, and leaves no result f
   if (test_world().is_root()) CHECK_FALSE(exists(options.directory + "/result.json"));
 }
 
+TEST_CASE("an interrupted design goes on from its checkpoint, another design of that name does not") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "one");
+  int resumed = 0;
+  options.on_resume = [&](std::int64_t) { ++resumed; };
+  const char* longer = R"({"operation": {"advance_m": 12}, "solver": {"time_step_fraction": 0.2}})";
+  for (int turn = 0; turn < 2; ++turn) {
+    options.stop = [seen = 0]() mutable { return ++seen > 1; };  // the first is asked before the simulation
+    REQUIRE(evaluated(longer, options).status == EvaluationStatus::running);
+  }
+  options.stop = nullptr;
+  if (test_world().is_root()) CHECK(resumed == 1);
+  REQUIRE(evaluated("{}", options).status == EvaluationStatus::ok);
+  if (test_world().is_root()) CHECK(resumed == 1);
+  if (test_world().is_root()) CHECK_FALSE(exists(options.directory + "/checkpoint.h5"));
+}
+
 TEST_CASE("a directory that cannot be written is the machine's fault, on every rank") {
   EvaluateOptions options;
   options.directory = "/proc/no/such/place";

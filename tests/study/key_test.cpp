@@ -59,7 +59,8 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { bit(c.steady_from); },
       [&](Case& c) { bit(c.stop_when_ci95_below); },
       [&](Case& c) { ++c.snapshots; },
-      [&](Case& c) { ++c.pictures; }};
+      [&](Case& c) { ++c.pictures; },
+      [&](Case& c) { c.snapshot_format = SnapshotFormat::vtkhdf; }};
   std::set<std::string> keys = {evaluation_key(base, true, true), evaluation_key(base, false, true),
                                 evaluation_key(base, true, false)};
   for (const auto& change : changes) {

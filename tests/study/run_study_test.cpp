@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
 
+#include "base/json.h"
 #include "fake_study.h"
+#include "study/design_files.h"
 #include "study/ranking.h"
 #include "study/store.h"
 
@@ -311,4 +315,24 @@ TEST_CASE("a directory in use is refused, and a study.json of somebody else is k
   write_text_file(directory / "mine/study.json", "mine");
   CHECK_THROWS_AS(run(spec, directory / "mine"), InputError);
   CHECK(read_text_file(directory / "mine/study.json") == "mine");
+}
+
+TEST_CASE("a directory is emptied for a design, but for what an interrupted simulation goes on with") {
+  const TemporaryDirectory own;
+  const std::string study = own / "study", design = design_directory(study, "one");
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(design))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  clear_design_directory(study, "one");
+  for (const char* name : {"result.json", "evaluation.json", "ice_0000.vtp", "ice.pvd", "hull_0000.vtp"})
+    write_text_file(design + "/" + name, "");
+  write_text_file(design + "/checkpoint.h5", "");
+  clear_design_directory(study, "one");
+  CHECK(files() == std::set<std::string>{"checkpoint.h5", "hull_0000.vtp", "ice.pvd", "ice_0000.vtp"});
+  std::filesystem::remove(design + "/checkpoint.h5");
+  clear_design_directory(study, "one");
+  CHECK(files().empty());
 }

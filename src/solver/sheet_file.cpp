@@ -1,0 +1,123 @@
+#include "solver/sheet_file.h"
+
+#include <algorithm>
+
+namespace icebow {
+namespace {
+
+using Sizes = std::vector<std::uint64_t>;
+
+std::uint64_t size(int n) {
+  return static_cast<std::uint64_t>(n);
+}
+
+// Where an array lies in the file and in memory.
+struct Places {
+  Slab file, memory;
+};
+
+Places fields_of(const IceSheet& sheet) {
+  const Layout& l = sheet.layout;
+  const Sizes count = {size(l.columns), size(l.nz), size(l.blocks * block)};
+  return {{{size(sheet.lattice.ny), size(l.nz), size(sheet.lattice.blocks() * block)},
+           {size(l.j0), 0, size(l.i0)},
+           count},
+          {{size(l.columns + 2 * reach), size(l.nz), size(static_cast<int>(l.stride))},
+           {reach, 0, ghost_blocks * block},
+           count}};
+}
+
+// Rows and blocks [first, last) of the bonds in memory, as numbers of the own columns and blocks.
+struct Range {
+  int row0, row1, block0, block1;
+};
+
+Range own(const IceSheet& sheet) {
+  return {0, sheet.layout.columns, 0, sheet.layout.blocks};
+}
+
+// With the copies of the neighbours' that exist.
+Range followed(const IceSheet& sheet) {
+  const Layout& l = sheet.layout;
+  return {std::max(-reach, -l.j0), l.columns, sheet.partition.block0 > 0 ? -1 : 0,
+          l.blocks + (sheet.partition.block1 < sheet.lattice.blocks() ? 1 : 0)};
+}
+
+Places bonds_of(const IceSheet& sheet, const Range& r) {
+  const Layout& l = sheet.layout;
+  const Sizes count = {size(r.row1 - r.row0), size(r.block1 - r.block0), size(sheet.bits.per_block())};
+  return {{{size(sheet.lattice.ny), size(sheet.lattice.blocks()), size(sheet.bits.per_block())},
+           {size(l.j0 + r.row0), size(sheet.partition.block0 + r.block0), 0},
+           count},
+          {{size(l.columns + reach), size(l.blocks + 2), size(sheet.bits.per_block())},
+           {size(r.row0 + reach), size(r.block0 + 1), 0},
+           count}};
+}
+
+Places states_of(const IceSheet& sheet, const Range& r) {
+  const Layout& l = sheet.layout;
+  const Sizes count = {size(r.row1 - r.row0), size(l.nz), size(r.block1 - r.block0)};
+  return {{{size(sheet.lattice.ny), size(l.nz), size(sheet.lattice.blocks())},
+           {size(l.j0 + r.row0), 0, size(sheet.partition.block0 + r.block0)},
+           count},
+          {{size(l.columns + reach), size(l.nz), size(l.blocks + 2)},
+           {size(r.row0 + reach), 0, size(r.block0 + 1)},
+           count}};
+}
+
+const char* const components[] = {"_x", "_y", "_z"};
+
+// A file and a sheet in one precision: the file's type is that of the sheet's fields.
+template <class Real>
+void save_fields(ParallelFile& file, const IceSheet& sheet) {
+  const Places f = fields_of(sheet);
+  for (int c = 0; c < 3; ++c) {
+    const std::string suffix = components[c];
+    file.write("u" + suffix, f.file, sheet.u[c].data<Real>(), f.memory);
+    file.write("v" + suffix, f.file, sheet.v[c].data<Real>(), f.memory);
+    file.write("residual" + suffix, f.file, sheet.residual[c].data<Real>(), f.memory);
+    file.write("acceleration" + suffix, f.file, sheet.acceleration[c].data<Real>(), f.memory);
+  }
+}
+
+template <class Real>
+void load_fields(ParallelFile& file, IceSheet& sheet) {
+  const Places f = fields_of(sheet);
+  for (int c = 0; c < 3; ++c) {
+    const std::string suffix = components[c];
+    file.read("u" + suffix, f.file, sheet.u[c].data<Real>(), f.memory);
+    file.read("v" + suffix, f.file, sheet.v[c].data<Real>(), f.memory);
+    file.read("residual" + suffix, f.file, sheet.residual[c].data<Real>(), f.memory);
+    file.read("acceleration" + suffix, f.file, sheet.acceleration[c].data<Real>(), f.memory);
+  }
+}
+
+}  // namespace
+
+void save_sheet(ParallelFile& file, const IceSheet& sheet) {
+  if (sheet.precision == Precision::fp64) {
+    save_fields<double>(file, sheet);
+  } else {
+    save_fields<float>(file, sheet);
+  }
+  const Places b = bonds_of(sheet, own(sheet)), t = states_of(sheet, own(sheet));
+  file.write("bonds", b.file, sheet.bits.row(-reach, 0) - sheet.bits.per_block(), b.memory);
+  file.write("states", t.file, sheet.state(-reach, 0) - 1, t.memory);
+}
+
+void load_sheet(ParallelFile& file, IceSheet& sheet) {
+  if (sheet.precision == Precision::fp64) {
+    load_fields<double>(file, sheet);
+  } else {
+    load_fields<float>(file, sheet);
+  }
+  const Places b = bonds_of(sheet, followed(sheet)), t = states_of(sheet, followed(sheet));
+  file.read("bonds", b.file, sheet.bits.row(-reach, 0) - sheet.bits.per_block(), b.memory);
+  file.read("states", t.file, sheet.state(-reach, 0) - 1, t.memory);
+}
+
+int precision_of(const IceSheet& sheet) {
+  return static_cast<int>(sheet.theta.element_size());
+}
+
+}  // namespace icebow
