@@ -94,6 +94,29 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
   return parts;
 }
 
+void Communicator::shift(const void* outgoing, int to, void* incoming, int from, std::size_t bytes) const {
+  if (!native_) return;
+  const int n = static_cast<int>(bytes), tag = 1;
+  MPI_Sendrecv(outgoing, n, MPI_BYTE, to < 0 ? MPI_PROC_NULL : to, tag, incoming, n, MPI_BYTE,
+               from < 0 ? MPI_PROC_NULL : from, tag, native_->comm, MPI_STATUS_IGNORE);
+}
+
+std::vector<double> Communicator::gather_everywhere(const std::vector<double>& own) const {
+  if (!native_) return own;
+  const int length = static_cast<int>(own.size());
+  std::vector<int> lengths(size_), starts(size_);
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, native_->comm);
+  int total = 0;
+  for (int r = 0; r < size_; ++r) {
+    starts[r] = total;
+    total += lengths[r];
+  }
+  std::vector<double> all(total);
+  MPI_Allgatherv(own.data(), length, MPI_DOUBLE, all.data(), lengths.data(), starts.data(), MPI_DOUBLE,
+                 native_->comm);
+  return all;
+}
+
 void fail_together(const Communicator& comm, const std::string& trouble) {
   const double turn = comm.max(trouble.empty() ? -1.0 : double(comm.size() - comm.rank()));
   if (turn > 0.0) throw RuntimeError(comm.broadcast(trouble, comm.size() - static_cast<int>(turn)));

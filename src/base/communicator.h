@@ -30,6 +30,10 @@ class Communicator {
   double max(double value) const;
   bool all(bool value) const;  // true where every rank says true
   bool any(bool value) const;
+  // Sends `bytes` to rank `to` while it receives as many from rank `from`; -1 = nobody.
+  void shift(const void* outgoing, int to, void* incoming, int from, std::size_t bytes) const;
+  // Every rank gets the numbers of all, in rank order.
+  std::vector<double> gather_everywhere(const std::vector<double>& own) const;
   // Root gets every rank's bytes in rank order, the others get nothing.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes, int root = 0) const;
 

@@ -9,8 +9,8 @@ namespace {
 
 // A field added to a scenario but not to its text would let a run continue another one: the sizes notice.
 static_assert(sizeof(void*) != 8 ||
-                  (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 24 &&
-                   sizeof(Numerics) == 56 && sizeof(Scenario) == 48 + 16 + 24 + 56 + 32),
+                  (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 32 &&
+                   sizeof(Numerics) == 56 && sizeof(Scenario) == 48 + 16 + 32 + 56 + 32),
               "add the new field to case_text() below, then correct the size");
 
 // FNV-1a, 64 bits.
@@ -69,6 +69,7 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("sheet.length", s.sheet.length);
   text.add("sheet.width", s.sheet.width);
   text.add("sheet.fixed", static_cast<int>(s.sheet.fixed));
+  text.add("sheet.window_ahead", s.sheet.window_ahead);
   text.add("numerics.dx", s.numerics.dx);
   text.add("numerics.horizon_ratio", s.numerics.horizon_ratio);
   text.add("numerics.dt", s.numerics.dt);

@@ -65,14 +65,18 @@ Json run_json(const Communicator& comm, const RunState& run) {
   const Stepper& stepper = run.stepper;
   ExactImpulse::Counts impulse = stepper.impulse().counts();
   const ContactCounts contact = stepper.ledger().counts();
-  std::int64_t totals[3] = {stepper.broken_bonds(), contact.hull_work, contact.gain};
+  const EnergyCounts& dropped = stepper.dropped();
+  std::int64_t totals[7] = {stepper.broken_bonds(), contact.hull_work, contact.gain,    dropped.kinetic,
+                            dropped.potential,      dropped.elastic,   dropped.fracture};
   comm.sum(impulse.data(), static_cast<int>(impulse.size()));
-  comm.sum(totals, 3);
+  comm.sum(totals, 7);
   return {{"format", format_version},
           {"precision_bytes", precision_of(stepper.sheet())},
           {"steps", stepper.steps()},
           {"broken_bonds", totals[0]},
           {"contact_energy", {totals[1], totals[2]}},
+          {"window_first", stepper.sheet().lattice.first},
+          {"window_dropped", {totals[3], totals[4], totals[5], totals[6]}},
           {"energy_watch", run.recorder.energy_watch().record()},
           {"impulse", impulse},
           {"wall_seconds", run.wall_seconds},
@@ -159,9 +163,13 @@ void load_checkpoint(const Communicator& comm, const std::string& path, RunState
     const Json json = Json::parse(file.read_text("run"));
     const std::vector<HistoryRow> rows = load_history(file);
     load_sheet(file, run.stepper.sheet());
+    run.stepper.sheet().start_at(json.at("window_first"));
+    const Json& dropped = json.at("window_dropped");
     const bool root = comm.is_root();
-    run.stepper.restore(json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
-                        root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{});
+    run.stepper.restore(
+        json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
+        root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
+        root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{});
     const Json& contact = json.at("contact_energy");
     run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
                                  file.read_list<double>("touches"), run.stepper.sheet());

@@ -68,6 +68,16 @@ void ContactLedger::restore(const ContactCounts& counts, const std::vector<doubl
   std::sort(before_.begin(), before_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
 }
 
+void ContactLedger::move_window(std::vector<double> record, const IceSheet& sheet) {
+  std::vector<double> kept;
+  for (std::size_t n = 0; n + 5 <= record.size(); n += 5) {
+    if (static_cast<std::int64_t>(record[n]) % sheet.lattice.nx < block) continue;
+    record[n] -= block;
+    kept.insert(kept.end(), &record[n], &record[n] + 5);
+  }
+  restore(counts_, kept, sheet);
+}
+
 bool ContactLedger::beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const {
   const Layout& layout = sheet.layout;
   for (const Touch& touch : before_) {

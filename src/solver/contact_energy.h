@@ -31,6 +31,9 @@ class ContactLedger {
   std::vector<double> record(const IceSheet& sheet) const;
   void restore(const ContactCounts& counts, const std::vector<double>& record, const IceSheet& sheet);
 
+  // A window that has dropped a block; `record` holds all ranks' particles as they were before.
+  void move_window(std::vector<double> record, const IceSheet& sheet);
+
   const EnergyModel& model() const { return model_; }
   const ContactCounts& counts() const { return counts_; }
   // Whether the last step found the hull's surface at a particle within a distance [m] of a place.

@@ -44,12 +44,15 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
   const bool with_bonds = ++samples_ % samples_per_evaluation_ == 0;
   const IceSheet& sheet = stepper.sheet();
   const Energies e = total(with_bonds ? sheet_energy(sheet, model_) : motion_energy(sheet, model_));
+  // What a moving window has dropped counts as still there.
+  const Energies gone = total(stepper.dropped());
+  dropped_ = gone.kinetic + gone.potential + gone.elastic;
   row.kinetic_energy = e.kinetic;
   row.potential = e.potential;
   if (with_bonds) {
     row.elastic = e.elastic;
-    row.fracture = fracture_ = e.fracture - fracture_at_start_;
-    row.balance_error = e.kinetic + e.potential + e.elastic + row.fracture - start_ - gain(row);
+    row.fracture = fracture_ = e.fracture + gone.fracture - fracture_at_start_;
+    row.balance_error = e.kinetic + e.potential + e.elastic + row.fracture + dropped_ - start_ - gain(row);
   }
   judge(row);
 }
@@ -57,7 +60,7 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
 // Between evaluations the elastic energy is unknown but not negative, and fracture energy only grows: what is
 // left is a lower bound of the balance.
 void EnergyWatch::judge(const HistoryRow& row) {
-  const double bound = row.kinetic_energy + row.potential + fracture_ - start_ - gain(row);
+  const double bound = row.kinetic_energy + row.potential + fracture_ + dropped_ - start_ - gain(row);
   const double balance = std::isnan(row.balance_error) ? bound : row.balance_error;
   const double allowed = tolerated * (std::abs(row.hull_work) + std::abs(start_)) + floor_;
   surplus_ = balance - lowest_ > allowed ? balance - lowest_ : 0.0;

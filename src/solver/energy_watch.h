@@ -46,6 +46,7 @@ class EnergyWatch {
   EnergyModel model_;
   std::int64_t samples_per_evaluation_, samples_ = 0;
   double start_, fracture_at_start_, fracture_ = 0.0;  //!< [J]
+  double dropped_ = 0.0;                               // by a moving window [J]
   double lowest_ = 0.0, floor_, surplus_ = 0.0;        //!< [J]
 };
 

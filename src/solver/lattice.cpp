@@ -30,6 +30,8 @@ Lattice make_lattice(const Scenario& s) {
   lattice.dx = s.numerics.dx;
   lattice.nx = static_cast<int>(std::lround(s.sheet.length / lattice.dx));
   lattice.ny = static_cast<int>(std::lround(s.sheet.width / lattice.dx));
+  // A window moves by blocks.
+  if (s.sheet.window_ahead > 0.0) lattice.nx = (lattice.nx + block - 1) / block * block;
   lattice.nz = static_cast<int>(std::lround(s.ice.h / lattice.dx));
   if (lattice.nz < 1) {
     throw InputError("spacing " + std::to_string(lattice.dx) + " m is more than twice the ice thickness " +

@@ -22,8 +22,9 @@ struct Lattice {
   int nx = 0, ny = 0, nz = 0;
   double dx = 0.0;  //!< spacing [m]
   double z0 = 0.0;  //!< height of the lowest layer's centres above the water level, sheet afloat [m]
+  int first = 0;    // particles along x that a moving window has left astern
 
-  double x(int i) const { return (i + 0.5) * dx; }
+  double x(int i) const { return (first + i + 0.5) * dx; }
   double y(int j) const { return (j + 0.5 - 0.5 * ny) * dx; }
   double z(int k) const { return z0 + k * dx; }
   int blocks() const { return (nx + block - 1) / block; }

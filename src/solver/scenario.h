@@ -25,6 +25,9 @@ struct Sheet {
   double length = 0.0;  //!< along the ship's course [m]
   double width = 0.0;   //!< across it, centred on the ship [m]
   FixedEdges fixed = FixedEdges::sides;
+  // Above 0: `length` is that of a window that moves with the ship. Fresh ice is laid so that this much lies
+  // ahead of the stem, and as much is dropped astern [m]
+  double window_ahead = 0.0;
 };
 
 enum class ContactRule {

@@ -20,18 +20,21 @@ BondBits::BondBits(const Lattice& lattice, const Layout& layout, const Stencil& 
       for (int k = 0; k < lattice.nz; ++k) {
         std::uint16_t* words = &words_[index(jl, b, k)];
         for (int s = 0; s < stencil.slots(k); ++s) {
-          const Offset& o = stencil.half[k][s];
-          const int j = layout.j0 + jl;
-          if (j < 0 || j + o.dj >= lattice.ny) continue;
-          for (int l = 0; l < block; ++l) {
-            const int i = layout.i0 + b * block + l, i2 = i + o.di;
-            if (i >= 0 && i < lattice.nx && i2 >= 0 && i2 < lattice.nx)
-              words[s] |= static_cast<std::uint16_t>(1u << l);
-          }
+          words[s] = whole(lattice, stencil.half[k][s], layout.i0 + b * block, layout.j0 + jl);
         }
       }
     }
   }
+}
+
+std::uint16_t BondBits::whole(const Lattice& lattice, const Offset& o, int first, int j) {
+  if (j < 0 || j + o.dj >= lattice.ny) return 0;
+  unsigned word = 0;
+  for (int l = 0; l < block; ++l) {
+    const int i = first + l, i2 = i + o.di;
+    if (i >= 0 && i < lattice.nx && i2 >= 0 && i2 < lattice.nx) word |= 1u << l;
+  }
+  return static_cast<std::uint16_t>(word);
 }
 
 std::int64_t BondBits::count() const {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/communicator.h"
 #include "solver/bond_tables.h"
 #include "solver/field.h"
 #include "solver/kernel.h"
@@ -21,6 +22,8 @@ class BondBits {
  public:
   BondBits(const Lattice& lattice, const Layout& layout, const Stencil& stencil);
   // At block 0 of a row; blocks follow each other, each with the slots of all layers of the column.
+  // Words of a slot of row j for the block whose first particle is i: bonds within the lattice.
+  static std::uint16_t whole(const Lattice& lattice, const Offset& offset, int i, int j);
   std::uint16_t* row(int jl, int k) { return &words_[index(jl, 0, k)]; }
   const std::uint16_t* row(int jl, int k) const { return &words_[index(jl, 0, k)]; }
   int per_block() const { return per_block_; }
@@ -42,7 +45,7 @@ class IceSheet {
   IceSheet(const Scenario& scenario, const Lattice& lattice, const Partition& partition,
            const Material& material, const Kernels& kernel = kernels());
 
-  const Lattice lattice;
+  Lattice lattice;  // changed by drop_first_block() and start_at() alone
   const Partition partition;
   const Layout layout;
   const Stencil stencil;
@@ -66,6 +69,12 @@ class IceSheet {
 
   // The lowest column whose bonds reach into this rank's part.
   int first_column() const { return partition.south >= 0 ? -reach : 0; }
+
+  // The window moves by a block along x (solver/moving_window.cpp): block 0 of the lattice is dropped, one of
+  // fresh ice at rest is laid at the other end. Collective. Ghosts of the fields are out of date afterwards.
+  void drop_first_block(const Communicator& comm);
+  // The window has left so many particles astern.
+  void start_at(int first);
 
   // Found by the drift: blocks with a particle in the box its settings name.
   bool near_hull(int jl, int k, int b) const {
@@ -109,6 +118,9 @@ class IceSheet {
   void select_column(Work<Real>& work, int jl);
   template <class Real>
   RowFields<Real> fields(int jl, int k);
+  void shift_fields(const Communicator& comm);
+  void shift_bonds(const Communicator& comm);
+  void mend_bonds(int jl);
   template <class Real>
   const Passes<Real>& passes_of(const Work<Real>&) const {
     return kernel.passes<Real>();

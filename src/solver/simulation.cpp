@@ -30,6 +30,27 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
+// Distance from the stem at the waterline aft to where the waterline first has its full breadth.
+double entrance_length(const QuadMesh& hull) {
+  const Box box = bounding_box(hull);
+  const double half_beam = box.upper.y(), tolerance = 0.02 * (box.upper.z() - box.lower.z());
+  double x = box.lower.x();
+  for (const Vec3& p : hull.points) {
+    if (std::abs(p.z()) < tolerance && p.y() > 0.999 * half_beam) x = std::max(x, p.x());
+  }
+  return -x;
+}
+
+void check_window(const QuadMesh& hull, const Scenario& s) {
+  const Box box = bounding_box(hull);
+  const double needed = s.sheet.window_ahead + 0.5 * (box.upper.y() - box.lower.y());
+  if (s.sheet.length >= needed && s.sheet.window_ahead > 2.0 * s.ice.h) return;
+  throw InputError(
+      text("a window of %.3f m with %.3f m ahead of the stem: it must hold half a beam astern of the stem as "
+           "well (%.3f m in all) and more than two thicknesses ahead",
+           s.sheet.length, s.sheet.window_ahead, needed));
+}
+
 void check(const QuadMesh& hull, const Scenario& s, const Lattice& lattice) {
   const Box box = bounding_box(hull);
   const double beam = box.upper.y() - box.lower.y();
@@ -37,7 +58,9 @@ void check(const QuadMesh& hull, const Scenario& s, const Lattice& lattice) {
     throw InputError(text("sheet of %.3f m is too narrow for a beam of %.3f m: make it at least %.3f m wide",
                           s.sheet.width, beam, 1.2 * beam));
   }
-  if (s.advance > s.sheet.length - 2.0 * s.ice.h) {
+  if (s.sheet.window_ahead > 0.0) {
+    check_window(hull, s);
+  } else if (s.advance > s.sheet.length - 2.0 * s.ice.h) {
     throw InputError(
         text("advance %.3f m leaves no ice ahead in a sheet of %.3f m: shorten the advance or "
              "lengthen the sheet",
@@ -80,17 +103,6 @@ std::int64_t steps_of(const Scenario& s, double dt) {
   return static_cast<std::int64_t>(std::ceil(s.advance / (s.V * dt)));
 }
 
-// Distance from the stem at the waterline aft to where the waterline first has its full breadth.
-double entrance_length(const QuadMesh& hull) {
-  const Box box = bounding_box(hull);
-  const double half_beam = box.upper.y(), tolerance = 0.02 * (box.upper.z() - box.lower.z());
-  double x = box.lower.x();
-  for (const Vec3& p : hull.points) {
-    if (std::abs(p.z()) < tolerance && p.y() > 0.999 * half_beam) x = std::max(x, p.x());
-  }
-  return -x;
-}
-
 Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Stepper& stepper,
                 const History& history) {
   Metrics metrics;
@@ -112,8 +124,8 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   const SheetState state = gather_state(comm, stepper.sheet());
   if (comm.is_root()) {
     const Box box = bounding_box(hull);
-    measure_sheet(state, 0.0, stepper.hull_x() - entrance_length(hull), box.upper.y() - box.lower.y(),
-                  metrics);
+    measure_sheet(state, state.lattice.first * state.lattice.dx, stepper.hull_x() - entrance_length(hull),
+                  box.upper.y() - box.lower.y(), metrics);
   }
   comm.broadcast(&metrics, sizeof metrics);
   return metrics;

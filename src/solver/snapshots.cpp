@@ -119,6 +119,10 @@ void Snapshots::write_picture(const SheetState& state, double advance, double hu
   PictureFrame frame;
   frame.x_min = -0.3 * beam;
   frame.x_max = std::min(scenario_.sheet.length, scenario_.advance + 1.2 * beam);
+  if (scenario_.sheet.window_ahead > 0.0) {
+    frame.x_min = state.lattice.x(0);
+    frame.x_max = state.lattice.x(state.lattice.nx - 1);
+  }
   frame.y_min = -half;
   frame.y_max = half;
   frame.width_px = 1100;

@@ -24,6 +24,9 @@ class StepSchedule {
   // own bonds broke. Every rank calls it at every step.
   std::int64_t run(const Move& move);
 
+  // Collective: the neighbours' displacements, after something other than a step has changed them.
+  void refresh() { displacements_.exchange(); }
+
   std::size_t bytes_sent() const { return displacements_.bytes_sent() + dilatations_.bytes_sent(); }
 
  private:

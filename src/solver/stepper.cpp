@@ -18,7 +18,11 @@ Box contact_region(const QuadMesh& hull, const Scenario& s, const Lattice& latti
   Box region = box;
   region.lower -= Vec3::Constant(margin);
   region.upper += Vec3::Constant(margin);
-  region.lower.x() = std::max(region.lower.x(), -start_x - s.advance - 0.5 * beam);
+  // How far aft of the stem there can be ice.
+  const double astern = s.sheet.window_ahead > 0.0
+                            ? std::min(s.advance, s.sheet.length - s.sheet.window_ahead) + block * lattice.dx
+                            : s.advance;
+  region.lower.x() = std::max(region.lower.x(), -start_x - astern - 0.5 * beam);
   region.upper.z() = std::min(region.upper.z(), lattice.z(lattice.nz - 1) + 5.0 * s.ice.h);
   return region;
 }
@@ -57,9 +61,11 @@ double first_touch_x(const QuadMesh& hull, const Lattice& lattice) {
 
 Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Lattice& lattice,
                  double dt, double hull_x)
-    : dt_(dt),
+    : comm_(comm),
+      dt_(dt),
       V_(s.V),
       start_x_(hull_x),
+      window_ahead_(s.sheet.window_ahead),
       material_(make_material(s.ice, lattice.dx, s.numerics.horizon_ratio)),
       sheet_(
           s, lattice,
@@ -88,12 +94,33 @@ void Stepper::set_hull_box() {
 
 // Velocity Verlet in its half-step form: `v` lives between the positions, one force evaluation a step.
 void Stepper::step() {
+  if (window_is_due()) move_window();
   ++steps_;
   contacts_ = 0;
   set_hull_box();
   broken_bonds_ += schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
   ledger_.close_step(sheet_);
   timer_.lap(Phase::energy);
+}
+
+// The ship has come so near the end of the ice that less than asked for lies ahead.
+bool Stepper::window_is_due() const {
+  const Lattice& l = sheet_.lattice;
+  return window_ahead_ > 0.0 && V_ * time() > (l.first + l.nx) * l.dx - window_ahead_;
+}
+
+void Stepper::move_window() {
+  const EnergyCounts before = sheet_energy(sheet_, ledger_.model());
+  std::vector<double> touches = comm_.gather_everywhere(ledger_.record(sheet_));
+  sheet_.drop_first_block(comm_);
+  schedule_.refresh();
+  ledger_.move_window(std::move(touches), sheet_);
+  const EnergyCounts after = sheet_energy(sheet_, ledger_.model());
+  dropped_.kinetic += before.kinetic - after.kinetic;
+  dropped_.potential += before.potential - after.potential;
+  dropped_.elastic += before.elastic - after.elastic;
+  dropped_.fracture += before.fracture - after.fracture;
+  timer_.lap(Phase::other);
 }
 
 void Stepper::move(int jl0, int jl1) {
@@ -103,7 +130,9 @@ void Stepper::move(int jl0, int jl1) {
   timer_.lap(Phase::contact);
 }
 
-void Stepper::restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse) {
+void Stepper::restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse,
+                      const EnergyCounts& dropped) {
+  dropped_ = dropped;
   steps_ = steps;
   broken_bonds_ = broken_bonds;
   impulse_.counts() = impulse;

@@ -31,22 +31,28 @@ class Stepper {
   const Material& material() const { return material_; }
 
   // To go on where another run was; counts are of this rank.
-  void restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse);
+  void restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse,
+               const EnergyCounts& dropped);
 
   const ExactImpulse& impulse() const { return impulse_; }
   // Of this rank, since the last take_impulse().
   ExactImpulse take_impulse();
   int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
   std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
+  // Energy of the ice that a moving window has dropped, less that of what it laid; this rank's, in quanta.
+  const EnergyCounts& dropped() const { return dropped_; }
   const ContactLedger& ledger() const { return ledger_; }
   ContactLedger& ledger() { return ledger_; }
   PhaseTimer& timer() { return timer_; }
 
  private:
   void set_hull_box();
+  bool window_is_due() const;
+  void move_window();
   void move(int jl0, int jl1);  // drift and contact of columns
 
-  double dt_, V_, start_x_;
+  const Communicator& comm_;
+  double dt_, V_, start_x_, window_ahead_;
   Material material_;
   IceSheet sheet_;
   HullContact contact_;
@@ -54,6 +60,7 @@ class Stepper {
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
   ContactLedger ledger_;
+  EnergyCounts dropped_;
   PhaseTimer timer_;
   StepSchedule schedule_;
   std::int64_t steps_ = 0, broken_bonds_ = 0;

@@ -83,7 +83,9 @@ void read_operation_and_sheet(const Section& operation, const Section& sheet, Ca
   c.advance = given_or(operation, "advance", 2.75 * c.bow.B);
   c.steady_from = given_or(operation, "steady_from", 0.2 * c.advance);
   c.stop_when_ci95_below = given_or(operation, "stop_when_ci95_below", 0.0);
-  c.sheet.length = given_or(sheet, "length", c.advance + c.bow.Lf + c.bow.B);
+  c.sheet.window_ahead = given_or(sheet, "window_ahead", 0.0);
+  const double ahead = c.sheet.window_ahead > 0.0 ? c.sheet.window_ahead : c.advance;
+  c.sheet.length = given_or(sheet, "length", ahead + c.bow.Lf + c.bow.B);
   c.sheet.width = given_or(sheet, "width", 3.5 * c.bow.B);
   c.sheet.fixed = fixed_edges(sheet.text("fixed_edges", "sides"));
 }
@@ -94,6 +96,7 @@ void read_numerics(const Section& s, double thickness, Numerics& numerics) {
   numerics.dt = given_or(s, "time_step", 0.0);
   numerics.dt_fraction = s.number("time_step_fraction");
   numerics.surface_correction = s.boolean("surface_correction");
+  numerics.precision = s.text("precision", "fp32") == "fp64" ? Precision::fp64 : Precision::fp32;
   numerics.contact = contact_rule(s.text("contact", "relocation"));
 }
 
@@ -127,7 +130,14 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
     m.push_back({s.sheet.pointer("width"), "is " + metres(c.sheet.width) + ", not wider than the beam of " +
                                                metres(c.bow.B) + "; 3.5 beams is usual"});
   }
-  if (c.sheet.length <= c.advance) {
+  if (c.sheet.window_ahead > 0.0 && c.sheet.length < c.sheet.window_ahead + c.bow.Lf) {
+    m.push_back({s.sheet.pointer("length"),
+                 "is " + metres(c.sheet.length) + ": a window with " + metres(c.sheet.window_ahead) +
+                     " ahead of the stem must also hold the bow, " + metres(c.bow.Lf) +
+                     " long; make it at least " + metres(c.sheet.window_ahead + c.bow.Lf) +
+                     " or shorten /sheet/window_ahead_m"});
+  }
+  if (c.sheet.window_ahead == 0.0 && c.sheet.length <= c.advance) {
     m.push_back({s.sheet.pointer("length"),
                  "is " + metres(c.sheet.length) + ", but the ship advances " + metres(c.advance) +
                      ": it would sail out of the ice; lengthen the sheet or shorten /operation/advance_m"});
@@ -191,6 +201,7 @@ Scenario model_scenario(const Case& full) {
   s.sheet = full.sheet;
   s.sheet.length = model(full.sheet.length, scaling::length);
   s.sheet.width = model(full.sheet.width, scaling::length);
+  s.sheet.window_ahead = model(full.sheet.window_ahead, scaling::length);
   s.numerics = full.numerics;
   s.numerics.dx = model(full.numerics.dx, scaling::length);
   s.numerics.dt = model(full.numerics.dt, scaling::time);

@@ -50,6 +50,7 @@ const std::vector<Key> table = {
 
   {"sheet", "length", Quantity::length, 0.05, 20000, false, none, "advance + bow_length + B", "extent of the sheet along the course", {}},
   {"sheet", "width", Quantity::length, 0.05, 20000, false, none, "3.5 B", "extent of the sheet across the course, centred on the ship", {}},
+  {"sheet", "window_ahead", Quantity::length, 0.05, 20000, false, none, "no window", "the sheet is a window of this length that moves with the ship: fresh ice is laid so that this much lies ahead of the stem, the channel is dropped astern", {}},
   {"sheet", "fixed_edges", Quantity::choice, 0, 0, false, none, "sides", "edges held fast: none, port and starboard, or the edge ahead as well", {"none", "sides", "sides_and_far"}},
 
   {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
@@ -63,6 +64,7 @@ const std::vector<Key> table = {
   {"solver", "time_step", Quantity::time, 1e-8, 1, false, none, "time_step_fraction of the limit", "time step; instead of time_step_fraction", {}},
   {"solver", "time_step_fraction", Quantity::number, 0.01, 1, false, 0.8, "0.8", "time step as a fraction of the stability limit; instead of time_step", {}},
   {"solver", "surface_correction", Quantity::boolean, 0, 0, false, 1, "true", "correct the stiffness of particles near a surface", {}},
+  {"solver", "precision", Quantity::choice, 0, 0, false, none, "fp32", "floating point of displacements and velocities; sums over the sheet are exact in both", {"fp32", "fp64"}},
   {"solver", "contact", Quantity::choice, 0, 0, false, none, "relocation", "contact rule between hull and ice", {"relocation", "paper", "penalty"}},
 
   {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},

@@ -11,6 +11,7 @@
 #include "checkpoint_case.h"
 #include "solver/case_text.h"
 #include "solver/parallel_file.h"
+#include "solver/sheet_file.h"
 
 using namespace icebow;
 
@@ -66,6 +67,7 @@ void check_same(const History& a, const History& b) {
     CHECK(std::memcmp(x.M, y.M, sizeof x.M) == 0);
     CHECK((x.t == y.t && x.advance == y.advance && x.kinetic_energy == y.kinetic_energy));
     CHECK((x.broken_bonds == y.broken_bonds && x.contacts == y.contacts));
+    CHECK((x.hull_work == y.hull_work && x.contact_loss == y.contact_loss && x.potential == y.potential));
   }
 }
 
@@ -95,7 +97,7 @@ void check_same(const IceSheet& part, const IceSheet& whole) {
 void check_second_part(const Communicator& comm, const std::string& file, const Run& straight,
                        const Scenario& s) {
   Run run(comm, s);
-  REQUIRE(why_not_resumable(comm, file, run.text(), sizeof(run.stepper.sheet().u[0][0])).empty());
+  REQUIRE(why_not_resumable(comm, file, run.text(), precision_of(run.stepper.sheet())).empty());
   RunState state = run.state();
   load_checkpoint(comm, file, state);
   CHECK(state.wall_seconds == 12.5);
@@ -144,6 +146,12 @@ TEST_CASE("a checkpoint of ranks along the course is read by any other grid") {
   if (test_world().size() % 2 != 0) return;
   Scenario s = breaking_ice();
   s.numerics.ranks_along_x = 2;
+  check_two_parts(s);
+}
+
+TEST_CASE("a run in a moving window goes on from its checkpoint") {
+  Scenario s = breaking_ice();
+  s.sheet.window_ahead = s.sheet.length - 0.03;  // moves before the cut
   check_two_parts(s);
 }
 

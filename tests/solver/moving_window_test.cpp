@@ -1,0 +1,128 @@
+// A window that moves with the ship instead of a long sheet.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "../main.h"
+#include "base/errors.h"
+#include "solver/simulation.h"
+#include "solver/stepper.h"
+#include "tiny_hull.h"
+
+using namespace icebow;
+
+namespace {
+
+// Four blocks along the course; the window moves at 0.18 m and at 0.50 m.
+Scenario windowed() {
+  Scenario s;
+  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  s.sheet = {1.28, 0.56, FixedEdges::sides};
+  s.sheet.window_ahead = 1.1;
+  s.numerics.dx = 0.02;
+  s.numerics.friction = 0.1;
+  s.V = 0.5;
+  s.advance = 0.56;
+  s.steady_from = 0.1;
+  return s;
+}
+
+QuadMesh hull() {
+  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+}
+
+void check_same(const RunResult& many, const RunResult& one) {
+  REQUIRE(many.status == RunStatus::ok);
+  REQUIRE(many.history.rows.size() == one.history.rows.size());
+  for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
+    const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
+    CHECK(std::memcmp(&a.F, &b.F, sizeof a.F) == 0);
+    CHECK(std::memcmp(&a.M, &b.M, sizeof a.M) == 0);
+    CHECK(a.broken_bonds == b.broken_bonds);
+    CHECK(a.kinetic_energy == b.kinetic_energy);
+    CHECK(a.contact_loss == b.contact_loss);
+    CHECK(std::memcmp(&a.balance_error, &b.balance_error, sizeof a.balance_error) == 0);
+  }
+  CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
+  CHECK(many.metrics.floes == one.metrics.floes);
+}
+
+double mean_resistance(const RunResult& r, double from, double to) {
+  double sum = 0.0;
+  int n = 0;
+  for (const HistoryRow& row : r.history.rows) {
+    if (row.advance <= from || row.advance > to) continue;
+    sum -= row.F[0];
+    ++n;
+  }
+  return sum / n;
+}
+
+}  // namespace
+
+TEST_CASE("a moving window gives the same record on any number of ranks and any grid") {
+  Scenario s = windowed();
+  const RunResult one = simulate(Communicator::serial(), hull(), s, {});
+  REQUIRE(one.status == RunStatus::ok);
+  check_same(simulate(test_world(), hull(), s, {}), one);
+  if (test_world().size() % 2 == 0) {
+    s.numerics.ranks_along_x = 2;
+    check_same(simulate(test_world(), hull(), s, {}), one);
+  }
+}
+
+TEST_CASE("fresh ice is whole, at rest, and bonded to the old") {
+  const Scenario s = windowed();
+  const Lattice lattice = make_lattice(s);
+  IceSheet sheet(s, lattice, make_partition(lattice, 0, 1),
+                 make_material(s.ice, lattice.dx, s.numerics.horizon_ratio));
+  const std::int64_t whole = sheet.bits.count();
+  // Marks one particle, and breaks all bonds of a row's first two blocks.
+  const std::size_t row = sheet.layout.row(5, 1);
+  sheet.u[2][row + 20] = 0.25;
+  for (int w = 0; w < 2 * sheet.bits.per_block(); ++w) sheet.bits.row(5, 0)[w] = 0;
+  const std::int64_t broken = whole - sheet.bits.count();
+  sheet.drop_first_block(Communicator::serial());
+  CHECK(sheet.u[2][row + 4] == Approx(0.25));
+  CHECK(sheet.u[2][row + 20] == 0.0);
+  CHECK(sheet.lattice.x(0) == Approx(lattice.x(16)));
+  // Half of the broken ones left astern; what is laid makes up for what is dropped.
+  CHECK(whole - sheet.bits.count() < broken);
+  CHECK(whole - sheet.bits.count() > broken / 3);
+  sheet.drop_first_block(Communicator::serial());
+  CHECK(sheet.bits.count() == whole);
+}
+
+// Ahead of the stem the response decays as exp(-x / (sqrt(2) l)) with the characteristic length l; astern the
+// window holds the whole front of the hull.
+TEST_CASE("the window's load is that of a long sheet") {
+  if (test_world().size() > 1) return;  // nothing to do with ranks, and long
+  Scenario s = windowed();
+  s.sheet.length = 1.6;  // moves at 0.5 m and at 0.82 m
+  s.advance = 0.9;
+  const RunResult window = simulate(Communicator::serial(), hull(), s, {});
+  s.sheet = {2.56, 0.56, FixedEdges::sides};
+  const RunResult sheet = simulate(Communicator::serial(), hull(), s, {});
+  REQUIRE(window.status == RunStatus::ok);
+  REQUIRE(sheet.status == RunStatus::ok);
+  const double decay = std::exp(-1.1 / (std::sqrt(2.0) * 0.42));
+  const double before = mean_resistance(sheet, 0.0, 0.5), after = mean_resistance(sheet, 0.5, 0.9);
+  CHECK(mean_resistance(window, 0.0, 0.5) == Approx(before).epsilon(decay));
+  CHECK(mean_resistance(window, 0.5, 0.9) == Approx(after).epsilon(decay));
+}
+
+TEST_CASE("the energy balance holds across moves of the window") {
+  if (test_world().size() > 1) return;
+  const RunResult r = simulate(Communicator::serial(), hull(), windowed(), {});
+  double error = 0.0;
+  for (const HistoryRow& row : r.history.rows)
+    if (!std::isnan(row.balance_error)) error = std::max(error, std::abs(row.balance_error));
+  CHECK(error > 0.0);
+  CHECK(error < 0.05 * r.history.rows.back().hull_work);
+}
+
+TEST_CASE("a window that cannot hold the bow is refused") {
+  Scenario s = windowed();
+  s.sheet.window_ahead = 1.27;
+  CHECK_THROWS_AS(simulate(Communicator::serial(), hull(), s, {}), InputError);
+}
