@@ -85,15 +85,7 @@ Json run_json(const Communicator& comm, const RunState& run) {
 
 // Particles next to the hull: [particle's number, reference height, acceleration] each, from all ranks.
 void save_touches(ParallelFile& file, const Communicator& comm, const Stepper& stepper) {
-  const std::vector<double> own = stepper.ledger().record(stepper.sheet());
-  const char* bytes = reinterpret_cast<const char*>(own.data());
-  std::vector<double> all;
-  for (const std::vector<char>& part : comm.gather({bytes, bytes + own.size() * sizeof(double)})) {
-    const std::size_t n = all.size();
-    all.resize(n + part.size() / sizeof(double));
-    std::memcpy(all.data() + n, part.data(), part.size());
-  }
-  file.write_list("touches", all);
+  file.write_list("touches", comm.gather_everywhere(stepper.ledger().record(stepper.sheet())));
 }
 
 void write_all(ParallelFile& file, const Communicator& comm, const std::string& case_text,
