@@ -26,7 +26,7 @@ std::unique_ptr<Stepper> broken(const Communicator& comm, const Scenario& s, dou
 int check_against_gathered(Scenario s) {
   s.advance = 0.7;
   const Communicator& world = test_world();
-  const auto many = broken(world, s, 0.6), one = broken(Communicator::serial(), s, 0.6);
+  const auto many = broken(world, s, 0.3), one = broken(Communicator::serial(), s, 0.3);
   const SheetState whole = gather_state(Communicator::serial(), one->sheet());
   const IceCloud all = cloud(whole), own = local_cloud(world, many->sheet());
   const Layout& layout = many->sheet().layout;

@@ -119,7 +119,8 @@ TEST_CASE("an interrupted design goes on from its checkpoint, another design of 
   options.directory = test_world().broadcast(own / "one");
   int resumed = 0;
   options.on_resume = [&](std::int64_t) { ++resumed; };
-  const char* longer = R"({"operation": {"advance_m": 12}, "solver": {"time_step_fraction": 0.2}})";
+  const char* longer =
+      R"({"sheet": {"length_m": 90}, "operation": {"advance_m": 50}, "solver": {"time_step_fraction": 0.2}})";
   for (int turn = 0; turn < 2; ++turn) {
     options.stop = [seen = 0]() mutable { return ++seen > 1; };  // the first is asked before the simulation
     REQUIRE(evaluated(longer, options).status == EvaluationStatus::running);
