@@ -21,7 +21,7 @@ template <class Real, bool per_lane>
 void add_bonds(const Real* const (&u)[3], const RowTables<Real>& t, const Real* slot,
                const std::uint16_t* words, double s0, BlockEnergy& sum) {
   constexpr int width = per_lane ? block : 1;
-  for (int s = 0; s < t.n_slots; ++s, slot += constants_per_slot * width) {
+  for (int s = 0; s < t.n_slots; ++s, slot += std::ptrdiff_t(constants_per_slot) * width) {
     const std::ptrdiff_t n = t.neighbour[s];
     const unsigned word = words[s];
     for (int l = 0; l < block; ++l) {

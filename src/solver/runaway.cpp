@@ -30,7 +30,8 @@ struct Stretches {
 
 Stretches stretches(const IceSheet& sheet, const Place& at, std::size_t p) {
   const Layout& layout = sheet.layout;
-  const std::uint16_t* words = sheet.bits.row(at.jl, at.k) + (at.l / block) * sheet.bits.per_block();
+  const std::uint16_t* words =
+      sheet.bits.row(at.jl, at.k) + std::ptrdiff_t(at.l / block) * sheet.bits.per_block();
   Stretches found;
   for (int s = 0; s < sheet.stencil.slots(at.k); ++s) {
     if (!((words[s] >> (at.l % block)) & 1)) continue;

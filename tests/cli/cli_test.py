@@ -201,6 +201,14 @@ class Simulate(ProgramTest):
         rows = (out / "history.csv").read_text().splitlines()
         self.assertGreater(len(rows), 8)
 
+    def test_where_the_time_went(self):
+        result = self.expect(0, "simulate", TINY, "--out", self.directory, "--json", "--profile", ranks=2)
+        profile = json.loads(result.stdout)["profile"]
+        self.assertAlmostEqual(sum(phase["share"] for phase in profile), 1.0, places=6)
+        for phase in profile:
+            self.assertIn(phase["phase"], result.stderr)
+            self.assertGreaterEqual(phase["max_ms_per_step"], 0.999 * phase["ms_per_step"])
+
     def test_the_same_on_two_ranks(self):
         one = json.loads(self.expect(0, "simulate", TINY, "--out", self.directory / "1", "--json").stdout)
         two = json.loads(self.expect(0, "simulate", TINY, "--out", self.directory / "2", "--json", ranks=2).stdout)
