@@ -42,11 +42,10 @@ std::vector<double> ContactLedger::record(const IceSheet& sheet) const {
   const Layout& layout = sheet.layout;
   std::vector<double> numbers;
   for (const Touch& touch : before_) {
-    const int padded_row = static_cast<int>(touch.p / layout.stride);
-    const int i = layout.i0 + static_cast<int>(touch.p % layout.stride) - ghost_blocks * block;
-    const int j = layout.j0 + padded_row / layout.nz - reach, k = padded_row % layout.nz;
+    const Layout::Place at = layout.place(touch.p);
+    const std::int64_t id = sheet.lattice.id(layout.i0 + at.il, layout.j0 + at.jl, at.k);
     const Vec3& a = touch.acceleration;
-    numbers.insert(numbers.end(), {double(sheet.lattice.id(i, j, k)), touch.z, a.x(), a.y(), a.z()});
+    numbers.insert(numbers.end(), {double(id), touch.z, a.x(), a.y(), a.z()});
   }
   return numbers;
 }
@@ -81,10 +80,8 @@ void ContactLedger::move_window(std::vector<double> record, const IceSheet& shee
 bool ContactLedger::beside_hull(const IceSheet& sheet, const Vec3& position, double distance) const {
   const Layout& layout = sheet.layout;
   for (const Touch& touch : before_) {
-    const std::size_t padded_row = touch.p / layout.stride;
-    const int j = layout.j0 + static_cast<int>(padded_row / layout.nz) - reach;
-    const int i = layout.i0 + static_cast<int>(touch.p % layout.stride) - ghost_blocks * block;
-    const Vec3 reference(sheet.lattice.x(i), sheet.lattice.y(j), touch.z);
+    const Layout::Place at = layout.place(touch.p);
+    const Vec3 reference(sheet.lattice.x(layout.i0 + at.il), sheet.lattice.y(layout.j0 + at.jl), touch.z);
     const Vec3 u(sheet.u[0][touch.p], sheet.u[1][touch.p], sheet.u[2][touch.p]);
     if ((reference + u - position).norm() <= distance) return true;
   }

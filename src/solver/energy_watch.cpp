@@ -22,30 +22,33 @@ EnergyWatch::EnergyWatch(const Communicator& comm, const Stepper& stepper, const
       model_(stepper.ledger().model()),
       samples_per_evaluation_((steps_per_evaluation + steps_per_sample - 1) / steps_per_sample),
       floor_(0.5 * s.ice.rho * std::pow(s.ice.h, 3) * s.V * s.V) {
-  const Energies e = total(sheet_energy(stepper.sheet(), model_));
+  const EnergyCounts own = sheet_energy(stepper.sheet(), model_);
+  std::int64_t counts[4] = {own.kinetic, own.potential, own.elastic, own.fracture};
+  comm_.sum(counts, 4);
+  const Energies e = joules(counts);
   start_ = e.kinetic + e.potential + e.elastic;
   fracture_at_start_ = e.fracture;
 }
 
-EnergyWatch::Energies EnergyWatch::total(const EnergyCounts& own) const {
-  std::int64_t counts[4] = {own.kinetic, own.potential, own.elastic, own.fracture};
-  comm_.sum(counts, 4);
+EnergyWatch::Energies EnergyWatch::joules(const std::int64_t* counts) const {
   const double q = model_.quantum;
   return {counts[0] * q, counts[1] * q, counts[2] * q, counts[3] * q};
 }
 
 void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
-  const ContactCounts& contact = stepper.ledger().counts();
-  std::int64_t counts[2] = {contact.hull_work, contact.gain};
-  comm_.sum(counts, 2);
-  row.hull_work = counts[0] * model_.quantum;
-  row.contact_loss = (counts[0] - counts[1]) * model_.quantum;
-
   const bool with_bonds = ++samples_ % samples_per_evaluation_ == 0;
   const IceSheet& sheet = stepper.sheet();
-  const Energies e = total(with_bonds ? sheet_energy(sheet, model_) : motion_energy(sheet, model_));
+  const EnergyCounts ice = with_bonds ? sheet_energy(sheet, model_) : motion_energy(sheet, model_);
+  const EnergyCounts& dropped = stepper.dropped();
+  const ContactCounts& contact = stepper.ledger().counts();
+  std::int64_t counts[10] = {ice.kinetic,       ice.potential,     ice.elastic,     ice.fracture,
+                             dropped.kinetic,   dropped.potential, dropped.elastic, dropped.fracture,
+                             contact.hull_work, contact.gain};
+  comm_.sum(counts, 10);
+  const Energies e = joules(counts), gone = joules(counts + 4);
+  row.hull_work = counts[8] * model_.quantum;
+  row.contact_loss = (counts[8] - counts[9]) * model_.quantum;
   // What a moving window has dropped counts as still there.
-  const Energies gone = total(stepper.dropped());
   dropped_ = gone.kinetic + gone.potential + gone.elastic;
   row.kinetic_energy = e.kinetic;
   row.potential = e.potential;

@@ -39,7 +39,7 @@ class EnergyWatch {
   struct Energies {
     double kinetic, potential, elastic, fracture;
   };
-  Energies total(const EnergyCounts& own) const;  // collective
+  Energies joules(const std::int64_t* counts) const;  // four, in the order of EnergyCounts
   void judge(const HistoryRow& row);
 
   const Communicator& comm_;

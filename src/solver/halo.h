@@ -52,7 +52,7 @@ class Halo {
   std::size_t size(const Region& region) const;
   void copy(const Region& region, std::vector<std::byte>& buffer, bool pack) const;
 
-  const Communicator& comm_;
+  Communicator comm_;
   Partition part_;
   Layout layout_;
   std::vector<const Field*> fields_;

@@ -7,7 +7,7 @@
 namespace icebow {
 namespace {
 
-// Vectors handled together: they share the loads of a slot's constants.
+// Vectors whose theta is summed together: they share the loads of a slot's constants.
 template <class Real>
 constexpr int at_once = block / Simd<Real>::lanes < 2 ? 1 : 2;
 
@@ -87,56 +87,47 @@ BlockState calm_theta(const RowFields<Real>& f, const RowTables<Real>& t, const 
   return S::any(far) ? touched : intact;
 }
 
-template <class Real, bool per_lane, int N>
+// One vector: two would need more registers than AVX2 has.
+template <class Real, bool per_lane>
 void calm_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law,
                 std::ptrdiff_t x, const Real* slot) {
   using S = Simd<Real>;
   using V = typename S::V;
+  const auto constant = [&](int which) { return S::template constant<per_lane>(slot, which); };
   const Real *const u0 = f.u[0] + x, *const u1 = f.u[1] + x, *const u2 = f.u[2] + x;
   const Real* const theta = f.theta + x;
   Real *const a0 = f.acceleration[0] + x, *const a1 = f.acceleration[1] + x,
               *const a2 = f.acceleration[2] + x;
-  V c0[N], c1[N], c2[N], own_theta[N], own0[N], own1[N], own2[N];
-  for (int v = 0; v < N; ++v) {
-    c0[v] = S::load(u0 + v * S::lanes);
-    c1[v] = S::load(u1 + v * S::lanes);
-    c2[v] = S::load(u2 + v * S::lanes);
-    own_theta[v] = S::load(theta + v * S::lanes);
-    own0[v] = own1[v] = own2[v] = V{};
-  }
+  const V c0 = S::load(u0), c1 = S::load(u1), c2 = S::load(u2), own_theta = S::load(theta);
+  V own0 = {}, own1 = {}, own2 = {};
   const std::ptrdiff_t* const end = t.neighbour + t.n_slots;
   for (const std::ptrdiff_t* nb = t.neighbour; nb != end; ++nb, slot += slot_size<per_lane>) {
-    const std::ptrdiff_t n = *nb;
-    const Constants<Real, per_lane, N> xi0(slot, xi_x), xi1(slot, xi_y), xi2(slot, xi_z),
-        pressure_of(slot, pressure_weight), stretch_of(slot, calm_distortion), iL2(slot, inverse_L2);
-    for (int v = 0; v < N; ++v) {
-      const std::ptrdiff_t o = n + v * S::lanes;
-      // Minus eta, minus y; q = (-eta) . (-y - xi)
-      const V m0 = c0[v] - S::load(u0 + o), m1 = c1[v] - S::load(u1 + o), m2 = c2[v] - S::load(u2 + o);
-      const V y0 = m0 - xi0[v], y1 = m1 - xi1[v], y2 = m2 - xi2[v];
-      V q = m0 * (y0 - xi0[v]);
-      q += m1 * (y1 - xi1[v]);
-      q += m2 * (y2 - xi2[v]);
-      V stretch = q * stretch_of[v], pressure = (own_theta[v] + S::load(theta + o)) * pressure_of[v];
-      if constexpr (LawDegrees<Real>::calm > 0) {
-        const V e = q * iL2[v];
-        stretch *= series<Real>(law.calm.H, e);
-        pressure *= series<Real>(law.calm.R, e);
-      }
-      const V scale = stretch + pressure;
-      own0[v] -= scale * y0;
-      own1[v] -= scale * y1;
-      own2[v] -= scale * y2;
-      S::store(a0 + o, scale * y0 + S::load(a0 + o));
-      S::store(a1 + o, scale * y1 + S::load(a1 + o));
-      S::store(a2 + o, scale * y2 + S::load(a2 + o));
+    const std::ptrdiff_t o = *nb;
+    const V xi0 = constant(xi_x), xi1 = constant(xi_y), xi2 = constant(xi_z);
+    // Minus eta, minus y; q = (-eta) . (-y - xi)
+    const V m0 = c0 - S::load(u0 + o), m1 = c1 - S::load(u1 + o), m2 = c2 - S::load(u2 + o);
+    const V y0 = m0 - xi0, y1 = m1 - xi1, y2 = m2 - xi2;
+    V q = m0 * (y0 - xi0);
+    q += m1 * (y1 - xi1);
+    q += m2 * (y2 - xi2);
+    V stretch = q * constant(calm_distortion),
+      pressure = (own_theta + S::load(theta + o)) * constant(pressure_weight);
+    if constexpr (LawDegrees<Real>::calm > 0) {
+      const V e = q * constant(inverse_L2);
+      stretch *= series<Real>(law.calm.H, e);
+      pressure *= series<Real>(law.calm.R, e);
     }
+    const V scale = stretch + pressure;
+    own0 -= scale * y0;
+    own1 -= scale * y1;
+    own2 -= scale * y2;
+    S::store(a0 + o, scale * y0 + S::load(a0 + o));
+    S::store(a1 + o, scale * y1 + S::load(a1 + o));
+    S::store(a2 + o, scale * y2 + S::load(a2 + o));
   }
-  for (int v = 0; v < N; ++v) {
-    S::store(a0 + v * S::lanes, S::load(a0 + v * S::lanes) + own0[v]);
-    S::store(a1 + v * S::lanes, S::load(a1 + v * S::lanes) + own1[v]);
-    S::store(a2 + v * S::lanes, S::load(a2 + v * S::lanes) + own2[v]);
-  }
+  S::store(a0, S::load(a0) + own0);
+  S::store(a1, S::load(a1) + own1);
+  S::store(a2, S::load(a2) + own2);
 }
 
 // A bond seen from its higher end: minus y, and e = q / L^2.
@@ -324,10 +315,9 @@ void force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const Bo
                     const Real* constants) {
   if (f.state[b] == touched) return block_force<Real, false, per_lane>(f, t, law, b, constants);
   if (f.state[b] == intact) return block_force<Real, true, per_lane>(f, t, law, b, constants);
-  constexpr int N = 1, step = Simd<Real>::lanes;  // two would need more registers than there are
-  for (int lane0 = 0; lane0 < block; lane0 += step) {
+  for (int lane0 = 0; lane0 < block; lane0 += Simd<Real>::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-    calm_force<Real, per_lane, N>(f, t, law, x, constants + (per_lane ? lane0 : 0));
+    calm_force<Real, per_lane>(f, t, law, x, constants + (per_lane ? lane0 : 0));
   }
 }
 

@@ -61,6 +61,15 @@ struct Layout {
   std::ptrdiff_t stride;  // floats from one row to the next
   std::size_t size;       // floats in one field, ghosts included
 
+  // Which particle an address is: column and place along x count from the first owned one, as in row().
+  struct Place {
+    int jl, k, il;
+  };
+  Place place(std::size_t address) const {
+    const int row = static_cast<int>(address / stride);
+    return {row / nz - reach, row % nz, static_cast<int>(address % stride) - ghost_blocks * block};
+  }
+
   // First owned particle of a row; jl = -reach .. columns + reach - 1 counts from the first owned column.
   std::size_t row(int jl, int k) const {
     return (std::size_t(jl + reach) * nz + k) * stride + ghost_blocks * block;

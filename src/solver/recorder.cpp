@@ -89,10 +89,9 @@ std::string Recorder::describe_failure(const Stepper& stepper, const Motion& m, 
   if (comm_.rank() == holder) {
     const IceSheet& sheet = stepper.sheet();
     const Layout& layout = sheet.layout;
-    const int i = layout.i0 + static_cast<int>(m.where % layout.stride) - ghost_blocks * block;
-    const int j = layout.j0 + static_cast<int>(m.where / layout.stride) / layout.nz - reach;
+    const Layout::Place at = layout.place(m.where);
     std::snprintf(text, sizeof text, "the particle first at x = %.3f m, y = %.3f m is the fastest (%.3g m/s)",
-                  sheet.lattice.x(i), sheet.lattice.y(j), fastest);
+                  sheet.lattice.x(layout.i0 + at.il), sheet.lattice.y(layout.j0 + at.jl), fastest);
     place = text + std::string("; likely cause: ") + likely_cause(stepper, m.where, dt_limit_);
   }
   place = comm_.broadcast(place, holder);

@@ -7,18 +7,10 @@
 namespace icebow {
 namespace {
 
-struct Place {
-  int jl, k, l;
-};
-
-Place place_of(const Layout& layout, std::size_t p) {
-  const int padded_row = static_cast<int>(p / layout.stride);
-  return {padded_row / layout.nz - reach, padded_row % layout.nz,
-          static_cast<int>(p % layout.stride) - ghost_blocks * block};
-}
+using Place = Layout::Place;
 
 Vec3 position(const IceSheet& sheet, const Place& at, std::size_t p) {
-  const Vec3 reference(sheet.lattice.x(sheet.layout.i0 + at.l), sheet.lattice.y(sheet.layout.j0 + at.jl),
+  const Vec3 reference(sheet.lattice.x(sheet.layout.i0 + at.il), sheet.lattice.y(sheet.layout.j0 + at.jl),
                        sheet.lattice.z(at.k));
   return reference + Vec3(sheet.u[0][p], sheet.u[1][p], sheet.u[2][p]);
 }
@@ -31,10 +23,10 @@ struct Stretches {
 Stretches stretches(const IceSheet& sheet, const Place& at, std::size_t p) {
   const Layout& layout = sheet.layout;
   const std::uint16_t* words =
-      sheet.bits.row(at.jl, at.k) + std::ptrdiff_t(at.l / block) * sheet.bits.per_block();
+      sheet.bits.row(at.jl, at.k) + std::ptrdiff_t(at.il / block) * sheet.bits.per_block();
   Stretches found;
   for (int s = 0; s < sheet.stencil.slots(at.k); ++s) {
-    if (!((words[s] >> (at.l % block)) & 1)) continue;
+    if (!((words[s] >> (at.il % block)) & 1)) continue;
     const Offset& o = sheet.stencil.half[at.k][s];
     const std::size_t q = p + (std::ptrdiff_t(o.dj) * layout.nz + o.dk) * layout.stride + o.di;
     const Vec3 y = Vec3(o.di, o.dj, o.dk) * sheet.lattice.dx + Vec3(double(sheet.u[0][q]) - sheet.u[0][p],
@@ -57,7 +49,7 @@ std::string likely_cause(const Stepper& stepper, std::size_t p, double dt_limit)
                   stepper.dt() / dt_limit);
     return text;
   }
-  const Place at = place_of(sheet.layout, p);
+  const Place at = sheet.layout.place(p);
   if (stepper.ledger().beside_hull(sheet, position(sheet, at, p), 2.0 * stepper.material().delta))
     return "contact: the hull is beside it; take a smaller time step or another contact rule";
   const Stretches found = stretches(sheet, at, p);

@@ -1,6 +1,7 @@
 #include "solver/sheet_file.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace icebow {
 namespace {
@@ -67,51 +68,38 @@ Places states_of(const IceSheet& sheet, const Range& r) {
 
 const char* const components[] = {"_x", "_y", "_z"};
 
-// A file and a sheet in one precision: the file's type is that of the sheet's fields.
-template <class Real>
-void save_fields(ParallelFile& file, const IceSheet& sheet) {
-  const Places f = fields_of(sheet);
-  for (int c = 0; c < 3; ++c) {
-    const std::string suffix = components[c];
-    file.write("u" + suffix, f.file, sheet.u[c].data<Real>(), f.memory);
-    file.write("v" + suffix, f.file, sheet.v[c].data<Real>(), f.memory);
-    file.write("residual" + suffix, f.file, sheet.residual[c].data<Real>(), f.memory);
-    file.write("acceleration" + suffix, f.file, sheet.acceleration[c].data<Real>(), f.memory);
-  }
-}
-
-template <class Real>
-void load_fields(ParallelFile& file, IceSheet& sheet) {
-  const Places f = fields_of(sheet);
-  for (int c = 0; c < 3; ++c) {
-    const std::string suffix = components[c];
-    file.read("u" + suffix, f.file, sheet.u[c].data<Real>(), f.memory);
-    file.read("v" + suffix, f.file, sheet.v[c].data<Real>(), f.memory);
-    file.read("residual" + suffix, f.file, sheet.residual[c].data<Real>(), f.memory);
-    file.read("acceleration" + suffix, f.file, sheet.acceleration[c].data<Real>(), f.memory);
+// visit(name, address) for each array that a step starts from.
+template <class Visit>
+void for_each_field(const IceSheet& sheet, Visit visit) {
+  const std::pair<const char*, const Field*> groups[] = {
+      {"u", sheet.u}, {"v", sheet.v}, {"residual", sheet.residual}, {"acceleration", sheet.acceleration}};
+  for (const auto& [name, fields] : groups) {
+    for (int c = 0; c < 3; ++c) {
+      const Field& field = fields[c];
+      const std::string full_name = std::string(name) + components[c];
+      if (sheet.precision == Precision::fp64) {
+        visit(full_name, field.data<double>());
+      } else {
+        visit(full_name, field.data<float>());
+      }
+    }
   }
 }
 
 }  // namespace
 
 void save_sheet(ParallelFile& file, const IceSheet& sheet) {
-  if (sheet.precision == Precision::fp64) {
-    save_fields<double>(file, sheet);
-  } else {
-    save_fields<float>(file, sheet);
-  }
-  const Places b = bonds_of(sheet, own(sheet)), t = states_of(sheet, own(sheet));
+  const Places f = fields_of(sheet), b = bonds_of(sheet, own(sheet)), t = states_of(sheet, own(sheet));
+  for_each_field(sheet,
+                 [&](const std::string& name, const auto* p) { file.write(name, f.file, p, f.memory); });
   file.write("bonds", b.file, sheet.bits.row(-reach, 0) - sheet.bits.per_block(), b.memory);
   file.write("states", t.file, sheet.state(-reach, 0) - 1, t.memory);
 }
 
 void load_sheet(ParallelFile& file, IceSheet& sheet) {
-  if (sheet.precision == Precision::fp64) {
-    load_fields<double>(file, sheet);
-  } else {
-    load_fields<float>(file, sheet);
-  }
-  const Places b = bonds_of(sheet, followed(sheet)), t = states_of(sheet, followed(sheet));
+  const Places f = fields_of(sheet), b = bonds_of(sheet, followed(sheet)),
+               t = states_of(sheet, followed(sheet));
+  for_each_field(sheet, [&](const std::string& name, auto* p) { file.read(name, f.file, p, f.memory); });
   file.read("bonds", b.file, sheet.bits.row(-reach, 0) - sheet.bits.per_block(), b.memory);
   file.read("states", t.file, sheet.state(-reach, 0) - 1, t.memory);
 }

@@ -51,7 +51,7 @@ class Stepper {
   void move_window();
   void move(int jl0, int jl1);  // drift and contact of columns
 
-  const Communicator& comm_;
+  Communicator comm_;
   double dt_, V_, start_x_, window_ahead_;
   Material material_;
   IceSheet sheet_;

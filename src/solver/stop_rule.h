@@ -9,7 +9,7 @@ namespace icebow {
 // A rule that looked at every sample would stop at the first one that looks good by chance. So it looks only
 // at record lengths of 256, 384, 576, ... steady samples (each half as long again), and asks for 30
 // independent samples. On AR(1) series with correlation times of 1 to 200 samples the 95 % interval of the
-// record it stops at covers the mean in 89 to 95 % of the cases (docs/verification.md,
+// record it stops at covers the mean in 87 to 97 % of the cases (docs/verification.md,
 // tests/solver/stop_rule_test.cpp).
 constexpr int first_look = 256;
 constexpr double look_growth = 1.5, fewest_independent = 30.0;

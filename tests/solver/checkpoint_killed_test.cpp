@@ -37,14 +37,14 @@ struct Case {
     first_sample.checkpoint_every_s = 0.0;
     first_sample.on_progress = [](const Progress&) {};
     first_sample.stop = [] { return true; };
-    return simulate(comm, breaking_hull(), s, first_sample);
+    return simulate(comm, tiny_hull(), s, first_sample);
   }
 };
 
 void kill_while_writing(const Case& c) {
   const pid_t child = ::fork();
   if (child == 0) {
-    simulate(c.comm, breaking_hull(), c.s, c.options);
+    simulate(c.comm, tiny_hull(), c.s, c.options);
     ::_exit(0);
   }
   // From the first checkpoint on, wait for one that is being written.

@@ -41,7 +41,7 @@ struct Run {
   std::string text() const { return case_text(hull, s, options); }
 
   const Communicator& comm;
-  QuadMesh hull = breaking_hull();
+  QuadMesh hull = tiny_hull();
   Scenario s;
   RunOptions options;
   RunSize size;
@@ -171,7 +171,7 @@ struct Files {
     RunOptions until = options;
     until.checkpoint_every_s = at_once ? 0.0 : 0.05;
     until.stop = [&] { return at_once || fs::exists(folder.file("ice_000.png")); };
-    return simulate(test_world(), breaking_hull(), s, until);
+    return simulate(test_world(), tiny_hull(), s, until);
   }
   TestFolder folder;
   RunOptions options;
@@ -195,12 +195,12 @@ TEST_CASE("an interrupted run continues when it is started again, its files too"
   REQUIRE(first.status == RunStatus::interrupted);
   CHECK(fs::exists(files.options.checkpoint_file));
 
-  const RunResult second = simulate(world, breaking_hull(), s, files.options);
+  const RunResult second = simulate(world, tiny_hull(), s, files.options);
   REQUIRE(second.status == RunStatus::ok);
   if (world.is_root()) CHECK(files.resumed_at == first.steps);
   CHECK(second.wall_seconds > first.wall_seconds);
   CHECK_FALSE(fs::exists(files.options.checkpoint_file));
-  check_same(second.history, simulate(world, breaking_hull(), s, {}).history);
+  check_same(second.history, simulate(world, tiny_hull(), s, {}).history);
   REQUIRE(second.pictures.size() == 8);
   CHECK(second.pictures[0] == "ice_000.png");
   CHECK(second.picture_advance[0] < 0.2 * s.advance);
@@ -215,8 +215,8 @@ TEST_CASE("a checkpoint of another run is refused in words, or passed over where
   REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
   s.V = 0.75;
   s.advance = 0.02;
-  CHECK_THROWS_AS(simulate(world, breaking_hull(), s, files.options), RuntimeError);
-  CHECK_THROWS_WITH(simulate(world, breaking_hull(), s, files.options),
+  CHECK_THROWS_AS(simulate(world, tiny_hull(), s, files.options), RuntimeError);
+  CHECK_THROWS_WITH(simulate(world, tiny_hull(), s, files.options),
                     Catch::Contains(files.options.checkpoint_file) &&
                         Catch::Contains("V = 0.5 there, 0.75 here") && Catch::Contains("remove that file"));
   s.V = 0.5;
@@ -225,7 +225,7 @@ TEST_CASE("a checkpoint of another run is refused in words, or passed over where
   CHECK(fs::exists(files.options.checkpoint_file));
   for (Resume resume : {Resume::if_usable, Resume::never}) {
     files.options.resume = resume;
-    CHECK(simulate(world, breaking_hull(), s, files.options).status == RunStatus::ok);
+    CHECK(simulate(world, tiny_hull(), s, files.options).status == RunStatus::ok);
   }
   CHECK(files.resumed_at == -1);
 }
@@ -240,7 +240,7 @@ TEST_CASE("a file that is cut short is refused and stays as it is") {
     world.barrier();
     if (world.is_root()) fs::resize_file(path, left);
     world.barrier();
-    CHECK_THROWS_WITH(simulate(world, breaking_hull(), slow(), files.options),
+    CHECK_THROWS_WITH(simulate(world, tiny_hull(), slow(), files.options),
                       Catch::Contains(path) && Catch::Contains("not a whole checkpoint"));
     CHECK(fs::file_size(path) == left);
   }

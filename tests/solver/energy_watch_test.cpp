@@ -17,19 +17,7 @@ using namespace icebow;
 namespace {
 
 Scenario small_run() {
-  Scenario s;
-  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
-  s.sheet = {1.0, 0.56, FixedEdges::sides};
-  s.numerics.dx = 0.02;
-  s.numerics.friction = 0.1;
-  s.V = 0.5;
-  s.advance = 0.12;
-  s.steady_from = 0.03;
-  return s;
-}
-
-QuadMesh small_hull() {
-  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+  return tiny_run(1.0, 0.12);
 }
 
 // A ship (its hull starting at hull_x) in ice without the checks of simulate().
@@ -39,7 +27,7 @@ struct Sailed {
         material(make_material(s.ice, s.numerics.dx, s.numerics.horizon_ratio)),
         limit(stable_time_step(make_stencil(lattice.nz, lattice.dx, material.delta), material, lattice.dx,
                                s.ice.rho, true)),
-        stepper(test_world(), small_hull(), s, lattice, dt_over_limit * limit, hull_x),
+        stepper(test_world(), tiny_hull(), s, lattice, dt_over_limit * limit, hull_x),
         scenario(s) {}
 
   // Until the record stops the run, or for so many steps.
@@ -86,7 +74,7 @@ TEST_CASE("the hull's work is what the ice gained and what contact lost, while n
     Scenario s = small_run();
     s.ice.s0 = 0.049;  // too tough to break so soon
     s.numerics.contact = rule;
-    Sailed ship(s, first_touch_x(small_hull(), make_lattice(s)), 0.8);
+    Sailed ship(s, first_touch_x(tiny_hull(), make_lattice(s)), 0.8);
     CHECK(ship.run(1860) == "");
     const HistoryRow& last = ship.history.rows.back();
     REQUIRE(last.broken_bonds == 0);
@@ -99,7 +87,7 @@ TEST_CASE("the hull's work is what the ice gained and what contact lost, while n
 
 TEST_CASE("breaking ice is not taken for a blow-up, and its balance closes to the fracture energy's error") {
   Scenario s = small_run();
-  Sailed ship(s, first_touch_x(small_hull(), make_lattice(s)), 0.8);
+  Sailed ship(s, first_touch_x(tiny_hull(), make_lattice(s)), 0.8);
   CHECK(ship.run(12000) == "");
   const HistoryRow& last = ship.history.rows.back();
   CHECK(last.broken_bonds > 5000);
@@ -136,7 +124,7 @@ TEST_CASE("a time step above the limit is found out long before values overflow"
 
 TEST_CASE("what goes wrong beside the hull is put down to contact, squeezed ice to itself") {
   Scenario s = small_run();
-  Sailed ship(s, first_touch_x(small_hull(), make_lattice(s)), 0.8);
+  Sailed ship(s, first_touch_x(tiny_hull(), make_lattice(s)), 0.8);
   ship.run(700);
   const IceSheet& sheet = ship.stepper.sheet();
   const std::size_t far = sheet.layout.row(0, 0) + 20;

@@ -14,10 +14,10 @@ namespace {
 
 // The ice some way behind first touch.
 std::unique_ptr<Stepper> broken(const Communicator& comm, const Scenario& s, double advance) {
-  const RunSize size = run_size(breaking_hull(), s);
+  const RunSize size = run_size(tiny_hull(), s);
   const Lattice lattice = make_lattice(s);
-  auto stepper = std::make_unique<Stepper>(comm, breaking_hull(), s, lattice, size.dt,
-                                           first_touch_x(breaking_hull(), lattice));
+  auto stepper =
+      std::make_unique<Stepper>(comm, tiny_hull(), s, lattice, size.dt, first_touch_x(tiny_hull(), lattice));
   while (s.V * stepper->time() < advance) stepper->step();
   return stepper;
 }

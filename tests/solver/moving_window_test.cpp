@@ -15,20 +15,9 @@ namespace {
 
 // Four blocks along the course; the window moves at 0.18 m and at 0.50 m.
 Scenario windowed() {
-  Scenario s;
-  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
-  s.sheet = {1.28, 0.56, FixedEdges::sides};
+  Scenario s = tiny_run(1.28, 0.56);
   s.sheet.window_ahead = 1.1;
-  s.numerics.dx = 0.02;
-  s.numerics.friction = 0.1;
-  s.V = 0.5;
-  s.advance = 0.56;
-  s.steady_from = 0.1;
   return s;
-}
-
-QuadMesh hull() {
-  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
 }
 
 void check_same(const RunResult& many, const RunResult& one) {
@@ -62,12 +51,12 @@ double mean_resistance(const RunResult& r, double from, double to) {
 
 TEST_CASE("a moving window gives the same record on any number of ranks and any grid") {
   Scenario s = windowed();
-  const RunResult one = simulate(Communicator::serial(), hull(), s, {});
+  const RunResult one = simulate(Communicator::serial(), tiny_hull(), s, {});
   REQUIRE(one.status == RunStatus::ok);
-  check_same(simulate(test_world(), hull(), s, {}), one);
+  check_same(simulate(test_world(), tiny_hull(), s, {}), one);
   if (test_world().size() % 2 == 0) {
     s.numerics.ranks_along_x = 2;
-    check_same(simulate(test_world(), hull(), s, {}), one);
+    check_same(simulate(test_world(), tiny_hull(), s, {}), one);
   }
 }
 
@@ -100,9 +89,9 @@ TEST_CASE("the window's load is that of a long sheet") {
   Scenario s = windowed();
   s.sheet.length = 1.6;  // moves at 0.5 m and at 0.82 m
   s.advance = 0.9;
-  const RunResult window = simulate(Communicator::serial(), hull(), s, {});
+  const RunResult window = simulate(Communicator::serial(), tiny_hull(), s, {});
   s.sheet = {2.56, 0.56, FixedEdges::sides};
-  const RunResult sheet = simulate(Communicator::serial(), hull(), s, {});
+  const RunResult sheet = simulate(Communicator::serial(), tiny_hull(), s, {});
   REQUIRE(window.status == RunStatus::ok);
   REQUIRE(sheet.status == RunStatus::ok);
   const double decay = std::exp(-1.1 / (std::sqrt(2.0) * 0.42));
@@ -113,7 +102,7 @@ TEST_CASE("the window's load is that of a long sheet") {
 
 TEST_CASE("the energy balance holds across moves of the window") {
   if (test_world().size() > 1) return;
-  const RunResult r = simulate(Communicator::serial(), hull(), windowed(), {});
+  const RunResult r = simulate(Communicator::serial(), tiny_hull(), windowed(), {});
   double error = 0.0;
   for (const HistoryRow& row : r.history.rows)
     if (!std::isnan(row.balance_error)) error = std::max(error, std::abs(row.balance_error));
@@ -124,5 +113,5 @@ TEST_CASE("the energy balance holds across moves of the window") {
 TEST_CASE("a window that cannot hold the bow is refused") {
   Scenario s = windowed();
   s.sheet.window_ahead = 1.27;
-  CHECK_THROWS_AS(simulate(Communicator::serial(), hull(), s, {}), InputError);
+  CHECK_THROWS_AS(simulate(Communicator::serial(), tiny_hull(), s, {}), InputError);
 }

@@ -15,19 +15,7 @@ using namespace icebow;
 namespace {
 
 Scenario tiny() {
-  Scenario s;
-  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
-  s.sheet = {1.0, 0.56, FixedEdges::sides};
-  s.numerics.dx = 0.02;
-  s.numerics.friction = 0.1;
-  s.V = 0.5;
-  s.advance = 0.12;
-  s.steady_from = 0.03;
-  return s;
-}
-
-QuadMesh tiny_hull() {
-  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+  return tiny_run(1.0, 0.12);
 }
 
 }  // namespace

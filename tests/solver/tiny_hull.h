@@ -1,13 +1,14 @@
-// A box with a sloping front, the simplest icebreaker: six quads in the hull frame.
+// The smallest ship-ice run: a box with a sloping front in a sheet of some thousand particles.
 #pragma once
 
 #include <cmath>
 
 #include "base/quad_mesh.h"
+#include "solver/scenario.h"
 
 namespace icebow {
 
-// Front plane at `stem` rad to the horizontal through (0, y, 0).
+// Six quads in the hull frame, front plane at `stem` rad to the horizontal through (0, y, 0).
 inline QuadMesh sloping_box(double stem, double B, double above, double below, double length) {
   const double cot = 1.0 / std::tan(stem);
   QuadMesh m;
@@ -22,6 +23,23 @@ inline QuadMesh sloping_box(double stem, double B, double above, double below, d
   for (auto& q : m.quads) std::swap(q[1], q[3]);
   m.patch.assign(6, Patch::other);
   return m;
+}
+
+inline QuadMesh tiny_hull() {
+  return sloping_box(0.45, 0.2, 0.08, 0.15, 1.2);
+}
+
+// `length` and `advance` in m.
+inline Scenario tiny_run(double length, double advance) {
+  Scenario s;
+  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  s.sheet = {length, 0.56, FixedEdges::sides};
+  s.numerics.dx = 0.02;
+  s.numerics.friction = 0.1;
+  s.V = 0.5;
+  s.advance = advance;
+  s.steady_from = 0.03;
+  return s;
 }
 
 }  // namespace icebow
