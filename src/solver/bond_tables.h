@@ -5,15 +5,10 @@
 #include <tuple>
 #include <vector>
 
+#include "solver/bond_weights.h"
 #include "solver/kernel.h"
-#include "solver/stencil.h"
 
 namespace icebow {
-
-struct BondTableOptions {
-  bool surface_correction = true;
-  double rho = 0.0;  //!< ice density [kg/m^3]
-};
 
 template <class Real>
 class BondTables {

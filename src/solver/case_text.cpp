@@ -10,7 +10,7 @@ namespace {
 // A field added to a scenario but not to its text would let a run continue another one: the sizes notice.
 static_assert(sizeof(void*) != 8 ||
                   (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 32 &&
-                   sizeof(Numerics) == 56 && sizeof(Scenario) == 48 + 16 + 32 + 56 + 32),
+                   sizeof(Numerics) == 64 && sizeof(Scenario) == 48 + 16 + 32 + 64 + 32),
               "add the new field to case_text() below, then correct the size");
 
 // FNV-1a, 64 bits.
@@ -75,6 +75,7 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("numerics.dt", s.numerics.dt);
   text.add("numerics.dt_fraction", s.numerics.dt_fraction);
   text.add("numerics.surface_correction", s.numerics.surface_correction);
+  text.add("numerics.linear_below", s.numerics.linear_below);
   text.add("numerics.precision", static_cast<int>(s.numerics.precision));
   text.add("numerics.contact", static_cast<int>(s.numerics.contact));
   text.add("numerics.friction", s.numerics.friction);

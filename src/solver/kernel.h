@@ -1,4 +1,4 @@
-// The two bond passes and the time integration over rows of the lattice, in SIMD.
+// The bond passes and the time integration over rows of the lattice, in SIMD.
 //
 // One source (kernel_impl.h) is compiled for several vector widths and for fp32 and fp64; kernels() picks the
 // widest this processor has. Each bond is computed once, by the row of its lower end, which adds the reaction
@@ -96,6 +96,7 @@ struct RowFields {
   std::uint16_t* bits;          // [block][column slot]: alive bonds of 16 particles
   int bits_per_block;           // column slots
   std::uint8_t* state;          // [block]: BlockState
+  const std::uint8_t* skip;     // [block]: 1 where the linear passes do all that matters
   int first_block, last_block;  // blocks [first_block, last_block), -1 and `blocks` being ghosts
 };
 
@@ -122,6 +123,33 @@ struct DriftRow {
   int blocks;
 };
 
+// Columns of particles for the linear passes: rows of the lowest layer at block 0 of a column.
+template <class Real>
+struct LinearFields {
+  const Real* u[3];
+  Real* theta;
+  Real* acceleration[3];
+  std::ptrdiff_t layer, column;  // elements to the layer above, to the next column
+};
+
+template <class Real>
+struct LinearWeights;
+
+// Of block b of all layers. Unlike the passes over bonds these sum the whole family of each particle, and
+// store.
+template <class Real>
+struct LinearPasses {
+  using Pass = void (*)(const LinearFields<Real>&, const LinearWeights<Real>&, int b);
+  Pass theta, theta_at_end, force, force_at_end;  // the latter with constants for each particle
+};
+constexpr int most_linear_layers = 5;
+
+// Largest sums of squared displacement differences of nearest neighbours [m^2].
+template <class Real>
+struct Roughness {
+  Real within, across;  // along x and z; to the next column
+};
+
 template <class Real>
 struct Passes {
   // For the nz rows of a column. Adds their bonds to theta of both ends; breaks bonds first and returns how
@@ -132,6 +160,10 @@ struct Passes {
   void (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&);
   // v += dt * (bonds + weight and lift); u += dt v.
   void (*drift)(const DriftRow<Real>&, const DriftSettings&);
+  LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]
+  // Of block b and a bond's reach beyond it; has_next is 1 where a particle and the next along x exist, else
+  // 0.
+  Roughness<Real> (*roughness)(const LinearFields<Real>&, int nz, int b, const Real* has_next);
 };
 
 struct Kernels {

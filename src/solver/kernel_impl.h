@@ -3,6 +3,7 @@
 
 #include "solver/kernel.h"
 #include "solver/kernel_vector.h"
+#include "solver/linear_impl.h"
 
 namespace icebow {
 namespace {
@@ -259,6 +260,7 @@ int dilatation(const RowFields<Real>* rows, const RowTables<Real>* tables, int n
                int owned_blocks) {
   int broken = 0;
   for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
+    if (rows[0].skip[b]) continue;
     int in_block = 0;
     for (int k = 0; k < nz; ++k) {
       const RowTables<Real>& t = tables[k];
@@ -324,6 +326,7 @@ void force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const Bo
 template <class Real>
 void force(const RowFields<Real>* rows, const RowTables<Real>* tables, int nz, const BondLaw<Real>& law) {
   for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
+    if (rows[0].skip[b]) continue;
     for (int k = 0; k < nz; ++k) {
       const RowTables<Real>& t = tables[k];
       if (t.ends[b]) {
@@ -379,7 +382,12 @@ void drift(const DriftRow<Real>& r, const DriftSettings& d) {
 
 template <class Real>
 constexpr Passes<Real> passes() {
-  return {dilatation<Real>, force<Real>, drift<Real>};
+  return {dilatation<Real>,
+          force<Real>,
+          drift<Real>,
+          {linear_passes<Real, 1>(), linear_passes<Real, 2>(), linear_passes<Real, 3>(),
+           linear_passes<Real, 4>(), linear_passes<Real, 5>()},
+          roughness<Real>};
 }
 
 }  // namespace

@@ -43,6 +43,9 @@ struct Numerics {
   double horizon_ratio = 3.0;  //!< horizon / dx
   double dt = 0.0;             //!< time step [s]; 0 = dt_fraction of the stability limit
   double dt_fraction = 0.8;
+  // Where nearest neighbours' displacements differ by at most this part of the spacing along each axis, bonds
+  // follow the linearised law; 0 = nowhere.
+  double linear_below = 1e-3;
   bool surface_correction = true;
   Precision precision = Precision::fp32;
   ContactRule contact = ContactRule::relocation;

@@ -1,11 +1,16 @@
 #include "solver/sheet.h"
 
+#include <algorithm>
+
 namespace icebow {
 namespace {
 
 // Columns held at a fixed edge: as many as a bond can reach, so that the free ice never feels the edge's
 // surface.
 constexpr int held_columns = reach;
+
+// Bonds of linear blocks stay this far below the critical stretch.
+constexpr double linear_stretch = 0.25;
 
 }  // namespace
 
@@ -73,14 +78,17 @@ std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
 
 template <class Real>
 IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
+  const BondTableOptions options{s.numerics.surface_correction, s.ice.rho};
   Work<Real> work{
       make_bond_law<Real>(material.s0),
-      BondTables<Real>(lattice, layout, stencil, material, {s.numerics.surface_correction, s.ice.rho}),
+      BondTables<Real>(lattice, layout, stencil, material, options),
       {},
       {},
       {},
       {},
-      {}};
+      {},
+      LinearTables<Real>(lattice, layout, stencil, material, options),
+      LinearBlocks<Real>(lattice, layout, std::min(s.numerics.linear_below, linear_stretch * material.s0))};
   for (int local = 0; local < layout.blocks * block; ++local) {
     const int i = layout.i0 + local;
     const bool far_end = fixed_ == FixedEdges::sides_and_far && i >= lattice.nx - held_columns;
@@ -102,7 +110,7 @@ std::size_t IceSheet::bytes() const {
 }
 
 template <class Real>
-RowFields<Real> IceSheet::fields(int jl, int k) {
+RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k) {
   const std::size_t r = layout.row(jl, k);
   const auto at = [r](const Field& f) { return f.data<Real>() + r; };
   return {{at(u[0]), at(u[1]), at(u[2])},
@@ -111,6 +119,7 @@ RowFields<Real> IceSheet::fields(int jl, int k) {
           bits.row(jl, k),
           bits.per_block(),
           state(jl, k),
+          work.linear.skip(jl),
           partition.west >= 0 ? -1 : 0,
           layout.blocks + (partition.east >= 0 ? 1 : 0)};
 }
@@ -149,20 +158,58 @@ void IceSheet::select_column(Work<Real>& work, int jl) {
   work.fields.clear();
   work.row_tables.clear();
   for (int k = 0; k < layout.nz; ++k) {
-    work.fields.push_back(fields<Real>(jl, k));
+    work.fields.push_back(fields(work, jl, k));
     work.row_tables.push_back(work.tables.row(jl, k));
   }
+}
+
+template <class Real>
+LinearFields<Real> IceSheet::linear_fields(int jl) const {
+  const std::size_t r = layout.row(jl, 0);
+  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  return {{at(u[0]), at(u[1]), at(u[2])},
+          at(theta),
+          {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+          layout.stride,
+          layout.nz * layout.stride};
+}
+
+template <class Real>
+typename LinearBlocks<Real>::Ice IceSheet::ice() {
+  return {kernel.passes<Real>(), linear_fields<Real>(0), state(-reach, 0) - 1};
+}
+
+template <class Real>
+void IceSheet::linear_pass(const Work<Real>& work, Pass pass, int jl) {
+  if (!work.linear.enabled() || jl < 0 || jl >= layout.columns) return;
+  const LinearPasses<Real>& passes = kernel.passes<Real>().linear[layout.nz - 1];
+  const LinearFields<Real> fields = linear_fields<Real>(jl);
+  for (int b = 0; b < layout.blocks; ++b) {
+    if (!work.linear.is_linear(jl, b)) continue;
+    const bool end = work.linear_tables.is_end(b);
+    const auto run = pass == Pass::theta ? (end ? passes.theta_at_end : passes.theta)
+                                         : (end ? passes.force_at_end : passes.force);
+    run(fields, work.linear_tables.of(jl, b), b);
+  }
+}
+
+template <class Real>
+std::int64_t IceSheet::dilate_column(Work<Real>& work, int jl) {
+  const bool linear = work.linear.enabled();
+  if (linear && jl == first_column()) work.linear.start_step();
+  if (linear) work.linear.settle(ice<Real>(), jl);
+  select_column(work, jl);
+  const int broken = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
+                                                work.law, layout.blocks);
+  if (linear) work.linear.calm_down(ice<Real>(), jl);
+  linear_pass(work, Pass::theta, jl);
+  return jl >= 0 ? broken : 0;
 }
 
 std::int64_t IceSheet::dilatation(int jl0, int jl1) {
   std::int64_t broken = 0;
   const auto pass = [&](auto& work) {
-    for (int jl = jl0; jl < jl1; ++jl) {
-      select_column(work, jl);
-      const int in_column = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
-                                                       work.law, layout.blocks);
-      if (jl >= 0) broken += in_column;
-    }
+    for (int jl = jl0; jl < jl1; ++jl) broken += dilate_column(work, jl);
   };
   std::visit(pass, work_);
   return broken;
@@ -173,9 +220,18 @@ void IceSheet::force(int jl0, int jl1) {
     for (int jl = jl1 - 1; jl >= jl0; --jl) {
       select_column(work, jl);
       passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+      // Bonds of lower columns still add to those above; a linear block is stored once they are through.
+      linear_pass(work, Pass::force, jl + reach);
     }
+    if (jl0 != first_column()) return;
+    for (int jl = first_column() + reach - 1; jl >= 0; --jl) linear_pass(work, Pass::force, jl);
   };
   std::visit(pass, work_);
+}
+
+double IceSheet::linear_share() const {
+  const auto count = [](const auto& work) { return double(work.linear.count()); };
+  return std::visit(count, work_) / (double(layout.columns) * layout.blocks);
 }
 
 }  // namespace icebow

@@ -11,6 +11,8 @@
 #include "solver/field.h"
 #include "solver/kernel.h"
 #include "solver/lattice.h"
+#include "solver/linear_blocks.h"
+#include "solver/linear_weights.h"
 #include "solver/scenario.h"
 #include "solver/stencil.h"
 
@@ -57,7 +59,9 @@ class IceSheet {
 
   // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. The
   // drift may take the owned columns in any order; the dilatation takes them upwards, the force downwards,
-  // both from or to first_column(), so that a step can wait for its neighbours as late as possible.
+  // both from or to first_column(), so that a step can wait for its neighbours as late as possible. The
+  // dilatation of a column looks at displacements up to `ahead` columns further.
+  static constexpr int ahead = 2 * reach;
   void drift(const DriftSettings& settings, int jl0, int jl1);  // v += dt (bonds + g); u += dt v
   std::int64_t dilatation(int jl0, int jl1);  // breaks bonds; returns how many of this rank's own did
   void force(int jl0, int jl1);               // the bonds' part of the acceleration
@@ -75,6 +79,9 @@ class IceSheet {
   void drop_first_block(const Communicator& comm);
   // The window has left so many particles astern.
   void start_at(int first);
+
+  // Part of the own blocks that took the linear passes in the last step.
+  double linear_share() const;
 
   // Found by the drift: blocks with a particle in the box its settings name.
   bool near_hull(int jl, int k, int b) const {
@@ -108,6 +115,8 @@ class IceSheet {
     std::vector<RowFields<Real>> fields;      // of the current column, by layer
     std::vector<RowTables<Real>> row_tables;  // likewise
     std::vector<Real> reference_x, mobile_x, nothing_mobile;
+    LinearTables<Real> linear_tables;
+    LinearBlocks<Real> linear;
   };
   template <class Real>
   Work<Real> make_work(const Scenario& scenario, const Material& material) const;
@@ -117,7 +126,16 @@ class IceSheet {
   template <class Real>
   void select_column(Work<Real>& work, int jl);
   template <class Real>
-  RowFields<Real> fields(int jl, int k);
+  RowFields<Real> fields(const Work<Real>& work, int jl, int k);
+  template <class Real>
+  LinearFields<Real> linear_fields(int jl) const;
+  template <class Real>
+  typename LinearBlocks<Real>::Ice ice();
+  template <class Real>
+  std::int64_t dilate_column(Work<Real>& work, int jl);
+  enum class Pass { theta, force };
+  template <class Real>
+  void linear_pass(const Work<Real>& work, Pass pass, int jl);
   void shift_fields(const Communicator& comm);
   void shift_bonds(const Communicator& comm);
   void mend_bonds(int jl);

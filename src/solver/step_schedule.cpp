@@ -38,11 +38,14 @@ void StepSchedule::displace(const Move& move) {
 std::int64_t StepSchedule::dilate() {
   dilatations_.start();
   displacements_.wait(Halo::south);
-  displacements_.wait(Halo::chunk(0));
   std::int64_t broken = 0;
   const int chunks = displacements_.chunks();
+  int arrived = 0;  // chunks, and the north edge after the last
   for (int c = 0; c < chunks; ++c) {
-    displacements_.wait(c + 1 == chunks ? Halo::north : Halo::chunk(c + 1));
+    // A chunk has at least `reach` columns: two of them are as far as a column's dilatation looks ahead.
+    static_assert(IceSheet::ahead <= 2 * reach);
+    for (; arrived <= std::min(c + 2, chunks); ++arrived)
+      displacements_.wait(arrived == chunks ? Halo::north : Halo::chunk(arrived));
     timer_.lap(Phase::halo_u);
     const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
     broken += sheet_.dilatation(begin, displacements_.chunk_end(c));
@@ -65,7 +68,7 @@ void StepSchedule::accelerate() {
   }
   dilatations_.wait(Halo::south);
   timer_.lap(Phase::halo_theta);
-  sheet_.force(sheet_.first_column(), 0);
+  if (sheet_.first_column() < 0) sheet_.force(sheet_.first_column(), 0);
   timer_.lap(Phase::force);
 }
 

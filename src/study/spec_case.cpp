@@ -96,6 +96,7 @@ void read_numerics(const Section& s, double thickness, Numerics& numerics) {
   numerics.dt = given_or(s, "time_step", 0.0);
   numerics.dt_fraction = s.number("time_step_fraction");
   numerics.surface_correction = s.boolean("surface_correction");
+  numerics.linear_below = s.number("linear_below");
   numerics.precision = s.text("precision", "fp32") == "fp64" ? Precision::fp64 : Precision::fp32;
   numerics.contact = contact_rule(s.text("contact", "relocation"));
 }

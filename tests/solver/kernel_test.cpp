@@ -139,6 +139,53 @@ TEST_CASE("a strongly compressed bond pushes back and does not break") {
   CHECK(last > 0.0);
 }
 
+TEST_CASE("linear blocks: the force of a smooth small field is that of the full law") {
+  // All layers, ends and sides of the sheet: each has weights of its own.
+  for (int nz : {1, 2, 3, 5}) {
+    Scenario s = block_scenario(70, 20, nz);
+    IceBlock linear(s);
+    s.numerics.linear_below = 0.0;
+    IceBlock full(s);
+    for (IceBlock* b : {&linear, &full}) {
+      b->displace([&](const Vec3& x) -> Vec3 {
+        return 1e-5 * Vec3(0.3 + std::sin(20 * x.y() + 3 * x.x()), std::cos(15 * x.x() - 30 * x.z()),
+                           std::sin(12 * x.x()) * std::cos(20 * x.y()));
+      });
+      b->accelerate();
+    }
+    CHECK(linear.sheet.linear_share() == 1.0);
+    CHECK(full.sheet.linear_share() == 0.0);
+    const double largest = full.largest_acceleration();
+    double error = 0.0, theta_error = 0.0;
+    full.for_each([&](int, int, int, std::size_t p) {
+      error = std::max(error, (linear.acceleration(p) - full.acceleration(p)).norm() / largest);
+      theta_error = std::max(theta_error, std::abs(linear.sheet.theta[p] - full.sheet.theta[p]));
+    });
+    INFO(nz << " layers: force " << error << ", dilatation " << theta_error);
+    CHECK(error < 1e-3);  // displacement gradients reach 3e-4
+    CHECK(theta_error < 1e-6);
+  }
+}
+
+TEST_CASE("linear blocks end where ice is bent, and next to a crack") {
+  IceBlock b(block_scenario(160, 20, 3));
+  const double bent = 40 * b.lattice.dx;
+  b.displace([&](const Vec3& x) -> Vec3 { return {0.0, 0.0, x.x() < bent ? 1.1e-3 * (bent - x.x()) : 0.0}; });
+  b.accelerate();
+  // Blocks 0 to 2 are bent or within a bond's reach of it, 3 to 9 are not.
+  CHECK(b.sheet.linear_share() == Approx(0.7));
+  b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
+  b.accelerate();
+  CHECK(b.sheet.linear_share() == 1.0);
+  const double cut = 120 * b.lattice.dx;
+  b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
+  b.accelerate();
+  CHECK(b.accelerate() > 0);
+  b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
+  b.accelerate();
+  CHECK(b.sheet.linear_share() == Approx(0.7));  // the cut runs through block 7: 6 to 8
+}
+
 TEST_CASE("every vector width computes the same") {
   IceBlock wide(block_scenario(40, 9, 3));
   IceBlock narrow(block_scenario(40, 9, 3), Communicator::serial(), baseline_kernels());
