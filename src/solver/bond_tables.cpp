@@ -63,7 +63,8 @@ class TableBuilder {
 
   const SurfaceFactors& factors(int i, int j, int k) {
     const auto near = [](int distance) { return std::min(distance, reach); };
-    const EdgeDistance where{near(i), near(lattice_.nx - 1 - i), near(j), near(lattice_.ny - 1 - j), k};
+    const EdgeDistance where{near(i), near(lattice_.nx - 1 - i), near(j + lattice_.mirrored_columns()),
+                             near(lattice_.ny - 1 - j), k};
     const auto key = std::make_tuple(where.x_lo, where.x_hi, where.y_lo, where.y_hi, k);
     const auto found = cache_.find(key);
     if (found != cache_.end()) return found->second;
@@ -92,6 +93,7 @@ template <class Real>
 BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
                              const Material& material, const BondTableOptions& options)
     : ny_(lattice.ny),
+      mirrored_columns_(lattice.mirrored_columns()),
       j0_(layout.j0),
       theta_per_strain_(theta_per_strain<Real>(lattice, stencil, material)),
       neighbour_(lattice.nz) {
@@ -107,7 +109,7 @@ BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const
   };
   for (int jl = -reach; jl < layout.columns; ++jl) {
     const int j = layout.j0 + jl;
-    if (j < 0) continue;
+    if (j < 0 && !lattice.half) continue;
     for (int k = 0; k < lattice.nz; ++k) {
       auto [entry, is_new] = tables_.try_emplace(row_class(jl, k));
       if (!is_new) continue;
@@ -129,7 +131,7 @@ BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const
 template <class Real>
 typename BondTables<Real>::RowClass BondTables<Real>::row_class(int jl, int k) const {
   const int j = j0_ + jl;
-  return {std::min(j, influence), std::min(ny_ - 1 - j, influence), k};
+  return {j < 0 ? j : std::min(j + mirrored_columns_, influence), std::min(ny_ - 1 - j, influence), k};
 }
 
 template <class Real>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/mirror.h"
+
 namespace icebow {
 
 StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer& timer)
@@ -16,6 +18,11 @@ std::int64_t StepSchedule::run(const Move& move) {
   const std::int64_t broken = dilate();
   accelerate();
   return broken;
+}
+
+void StepSchedule::refresh() {
+  displacements_.exchange();
+  mirror_displacements(sheet_);
 }
 
 void StepSchedule::displace(const Move& move) {
@@ -44,6 +51,7 @@ std::int64_t StepSchedule::dilate() {
   for (int c = 0; c < chunks; ++c) {
     displacements_.wait(c + 1 == chunks ? Halo::north : Halo::chunk(c + 1));
     timer_.lap(Phase::halo_u);
+    if (c == 0) mirror_displacements(sheet_);
     const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
     broken += sheet_.dilatation(begin, displacements_.chunk_end(c));
     timer_.lap(Phase::dilatation);
@@ -64,6 +72,7 @@ void StepSchedule::accelerate() {
     timer_.lap(Phase::force);
   }
   dilatations_.wait(Halo::south);
+  mirror_dilatations(sheet_);
   timer_.lap(Phase::halo_theta);
   sheet_.force(sheet_.first_column(), 0);
   timer_.lap(Phase::force);

@@ -33,17 +33,20 @@ int check_against_gathered(Scenario s) {
   const Lattice& lattice = whole.lattice;
   std::size_t n = 0;
   int different = 0, velocities = 0;
-  for (int j = layout.j0; j < layout.j0 + layout.columns; ++j) {
-    for (int k = 0; k < lattice.nz; ++k) {
-      for (int i = layout.i0; i < std::min(lattice.nx, layout.i0 + layout.blocks * block); ++i, ++n) {
-        const std::size_t id = lattice.id(i, j, k);
-        REQUIRE(n < own.x.size());
-        different += own.x[n] != all.x[id] || own.y[n] != all.y[id] || own.z[n] != all.z[id];
-        different += own.ux[n] != all.ux[id] || own.uz[n] != all.uz[id] || own.damage[n] != all.damage[id];
-        different += own.piece[n] != all.piece[id];
-        velocities += own.vx[n] != 0.0f;
-      }
+  const auto compare_row = [&](int j, int k) {
+    for (int i = layout.i0; i < std::min(lattice.nx, layout.i0 + layout.blocks * block); ++i, ++n) {
+      const std::size_t id = lattice.id(i, j, k);
+      REQUIRE(n < own.x.size());
+      different += own.x[n] != all.x[id] || own.y[n] != all.y[id] || own.z[n] != all.z[id];
+      different += own.ux[n] != all.ux[id] || own.uy[n] != all.uy[id] || own.uz[n] != all.uz[id];
+      different += own.damage[n] != all.damage[id] || own.piece[n] != all.piece[id];
+      velocities += own.vx[n] != 0.0f;
     }
+  };
+  const int below = many->sheet().lattice.mirrored_columns();
+  for (int side = 0; side < many->sheet().lattice.copies(); ++side) {
+    for (int j = layout.j0; j < layout.j0 + layout.columns; ++j)
+      for (int k = 0; k < lattice.nz; ++k) compare_row(side == 0 ? below + j : below - 1 - j, k);
   }
   CHECK(n == own.x.size());
   CHECK(different == 0);
@@ -70,5 +73,16 @@ TEST_CASE("pieces are joined across a cut along the course") {
 TEST_CASE("where no edge is held the largest piece stands") {
   Scenario s = breaking_ice();
   s.sheet.fixed = FixedEdges::none;
+  check_against_gathered(s);
+}
+
+TEST_CASE("of a half model there are both sides, with the floes of either") {
+  Scenario s = breaking_ice();
+  s.sheet.half_model = true;
+  CHECK(check_against_gathered(s) > 0);
+  s.sheet.fixed = FixedEdges::none;
+  check_against_gathered(s);
+  if (test_world().size() % 2 != 0) return;
+  s.numerics.ranks_along_x = 2;
   check_against_gathered(s);
 }
