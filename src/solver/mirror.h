@@ -1,4 +1,4 @@
-// The symmetry plane y = 0 of a half model, equation (16a) of docs/theory.md: the columns -1 .. -reach are
+// The symmetry plane y = 0 of a half model, equation (28) of docs/theory.md: the columns -1 .. -reach are
 // mirror images of the columns 0 .. reach - 1, whose bonds across the plane are then those of a neighbouring
 // rank's ghosts.
 #pragma once

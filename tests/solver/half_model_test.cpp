@@ -73,7 +73,7 @@ void check_alike(const HistoryRow& half, const HistoryRow& whole, double roundin
   CHECK(half.broken_bonds == whole.broken_bonds);
   CHECK(half.contacts == whole.contacts);
   const double work = whole.hull_work + 0.01;  // of some blocks' quanta before first touch
-  CHECK(half.hull_work == near(work, work));
+  CHECK(half.hull_work == near(whole.hull_work, work));
   CHECK(half.contact_loss == near(whole.contact_loss, work));
   CHECK(half.kinetic_energy == near(whole.kinetic_energy, work));
   CHECK(half.potential == near(whole.potential, work));
@@ -130,7 +130,9 @@ TEST_CASE("a half block with its plane feels what the whole symmetric block feel
 }
 
 TEST_CASE("a half model's record is the whole sheet's, before and after the ice breaks") {
-  Run whole(Communicator::serial(), tiny()), part(test_world(), half(tiny()));
+  if (test_world().size() > 1) return;  // the ranks are compared below
+  const Communicator alone = Communicator::serial();
+  Run whole(alone, tiny()), part(alone, half(tiny()));
   CHECK(part.lattice.particles() * 2 == whole.lattice.particles());
   // Rounding is a few ulp of a sum a step; breaking amplifies it: found 1e-11.
   for (int n = 0; n < 32; ++n) {
@@ -138,13 +140,12 @@ TEST_CASE("a half model's record is the whole sheet's, before and after the ice 
     check_alike(row, whole.next_sample(), 1e-9);
   }
   CHECK(whole.recorder.history().rows.back().broken_bonds > 3000);
-  const SheetState state = gather_state(test_world(), part.stepper.sheet());
-  if (test_world().is_root()) check_alike(state, gather_state(Communicator::serial(), whole.stepper.sheet()));
+  check_alike(gather_state(alone, part.stepper.sheet()), gather_state(alone, whole.stepper.sheet()));
 }
 
 TEST_CASE(
     "a half model's record is the whole sheet's across a move of the window, by the ordinary arithmetic") {
-  if (test_world().size() > 1) return;  // long; the ranks are compared below
+  if (test_world().size() > 1) return;
   const QuadMesh hull = sloping_box(0.1, 0.2, 0.08, 0.15, 1.2);
   Scenario s = tiny(1.6, 0.48);
   s.ice.s0 = 0.049;  // too tough to break much
@@ -196,16 +197,18 @@ void check_on_any_grid(Scenario s) {
 }  // namespace
 
 TEST_CASE("a half model gives the same record on any number of ranks and any grid") {
-  check_on_any_grid(half(tiny_run(1.28, 0.4)));
+  check_on_any_grid(half(tiny_run(1.28, 0.2)));
 }
 
 TEST_CASE("a half model in a moving window gives the same record on any number of ranks and any grid") {
-  Scenario s = half(tiny_run(1.28, 0.56));
-  s.sheet.window_ahead = 1.1;  // moves at 0.18 m and at 0.50 m
+  Scenario s = half(tiny_run(1.28, 0.26));
+  s.sheet.window_ahead = 1.1;  // moves at 0.18 m
+  s.V = 1.0;
   check_on_any_grid(s);
 }
 
 TEST_CASE("bonds across the plane break in pairs of mirror images, in single precision too") {
+  if (test_world().size() > 1) return;
   Scenario s = half(tiny_run(1.28, 0.56));
   s.sheet.window_ahead = 1.1;
   const QuadMesh hull = tiny_hull();
