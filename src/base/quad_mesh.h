@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
@@ -32,5 +33,8 @@ Box bounding_box(const QuadMesh& mesh);
 QuadMesh scaled(const QuadMesh& mesh, double factor);
 // Enclosed volume [m^3] by the divergence theorem; each quad is split along its diagonal 0-2.
 double enclosed_volume(const QuadMesh& mesh);
+// A corner of a quad that has no mirror image in the plane y = 0 among the quads, nothing where all have.
+// Corners nearer to each other than the tolerance [m] count as one.
+std::optional<Vec3> place_without_mirror_image(const QuadMesh& mesh, double tolerance);
 
 }  // namespace icebow

@@ -87,9 +87,9 @@ std::string size_line(const Case& c) {
   const RunSize size = run_size(scaled(hull.mesh, 1.0 / c.lambda), scenario);
   const double particles = 1.0 * size.nx * size.ny * size.nz;
   return "one run: " + std::to_string(size.nx) + " x " + std::to_string(size.ny) + " x " +
-         std::to_string(size.nz) + " = " + decimals(particles, 0) + " particles, " +
-         std::to_string(size.steps) + " steps of " + brief(size.dt) + " s (stability limit " +
-         brief(size.dt_limit) + " s)\n";
+         std::to_string(size.nz) + " = " + decimals(particles, 0) + " particles" +
+         (scenario.sheet.half_model ? " (port half), " : ", ") + std::to_string(size.steps) + " steps of " +
+         brief(size.dt) + " s (stability limit " + brief(size.dt_limit) + " s)\n";
 }
 
 }  // namespace

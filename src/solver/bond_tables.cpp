@@ -50,6 +50,7 @@ template <class Real>
 BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
                              const Material& material, const BondTableOptions& options)
     : ny_(lattice.ny),
+      mirrored_columns_(lattice.mirrored_columns()),
       j0_(layout.j0),
       theta_per_strain_(theta_per_strain<Real>(lattice, stencil, material)),
       neighbour_(lattice.nz) {
@@ -65,7 +66,7 @@ BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const
   };
   for (int jl = -reach; jl < layout.columns; ++jl) {
     const int j = layout.j0 + jl;
-    if (j < 0) continue;
+    if (j < 0 && !lattice.half) continue;
     for (int k = 0; k < lattice.nz; ++k) {
       auto [entry, is_new] = tables_.try_emplace(row_class(jl, k));
       if (!is_new) continue;
@@ -87,7 +88,8 @@ BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const
 template <class Real>
 typename BondTables<Real>::RowClass BondTables<Real>::row_class(int jl, int k) const {
   const int j = j0_ + jl;
-  return {std::min(j, edge_influence), std::min(ny_ - 1 - j, edge_influence), k};
+  return {j < 0 ? j : std::min(j + mirrored_columns_, edge_influence), std::min(ny_ - 1 - j, edge_influence),
+          k};
 }
 
 template <class Real>

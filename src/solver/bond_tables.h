@@ -22,7 +22,8 @@ class BondTables {
  private:
   // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) share
   // tables.
-  using RowClass = std::tuple<int, int, int>;  // distance to j = 0, to j = ny - 1, k
+  // Below the symmetry plane of a half model each column has its own: bonds that do not cross have no weight.
+  using RowClass = std::tuple<int, int, int>;  // distance to the low edge, to j = ny - 1, k
   struct Tables {
     std::vector<Real> interior;
     std::map<int, std::vector<Real>> ends;  // by block
@@ -30,7 +31,7 @@ class BondTables {
   };
   RowClass row_class(int jl, int k) const;
 
-  int ny_, j0_;
+  int ny_, mirrored_columns_, j0_;
   Real theta_per_strain_;
   std::vector<std::vector<std::ptrdiff_t>> neighbour_;  // [k][slot]
   std::map<RowClass, Tables> tables_;

@@ -21,7 +21,8 @@ BondWeight BondWeights::operator()(int i, int j, int k, const Offset& o) {
 
 const SurfaceFactors& BondWeights::factors(int i, int j, int k) {
   const auto near = [](int distance) { return std::min(distance, reach); };
-  const EdgeDistance where{near(i), near(lattice_.nx - 1 - i), near(j), near(lattice_.ny - 1 - j), k};
+  const EdgeDistance where{near(i), near(lattice_.nx - 1 - i), near(j + lattice_.mirrored_columns()),
+                           near(lattice_.ny - 1 - j), k};
   const auto key = std::make_tuple(where.x_lo, where.x_hi, where.y_lo, where.y_hi, k);
   const auto found = cache_.find(key);
   if (found != cache_.end()) return found->second;

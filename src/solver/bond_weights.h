@@ -38,7 +38,9 @@ class BondWeights {
   BondWeight operator()(int i, int j, int k, const Offset& offset);
 
  private:
-  bool exists(int i, int j) const { return i >= 0 && i < lattice_.nx && j >= 0 && j < lattice_.ny; }
+  bool exists(int i, int j) const {
+    return i >= 0 && i < lattice_.nx && j >= -lattice_.mirrored_columns() && j < lattice_.ny;
+  }
   const SurfaceFactors& factors(int i, int j, int k);
 
   const Lattice& lattice_;

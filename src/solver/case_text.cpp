@@ -9,8 +9,8 @@ namespace {
 
 // A field added to a scenario but not to its text would let a run continue another one: the sizes notice.
 static_assert(sizeof(void*) != 8 ||
-                  (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 32 &&
-                   sizeof(Numerics) == 64 && sizeof(Scenario) == 48 + 16 + 32 + 64 + 32),
+                  (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 40 &&
+                   sizeof(Numerics) == 64 && sizeof(Scenario) == 48 + 16 + 40 + 64 + 32),
               "add the new field to case_text() below, then correct the size");
 
 // FNV-1a, 64 bits.
@@ -87,6 +87,8 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("snapshot_format", static_cast<int>(options.snapshot_format));
   text.add("pictures", options.pictures);
   text.add("hull", hull_checksum(hull));
+  // The last, and as a checkpoint has it that is older than the choice.
+  if (s.sheet.half_model) text.add("sheet.half_model", true);
   return text.str();
 }
 

@@ -129,7 +129,9 @@ namespace {
 template <class Real>
 void add_bond_energy(const IceSheet& sheet, const EnergyModel& m, EnergyCounts& sum) {
   const Layout& layout = sheet.layout;
-  for (int jl = 0; jl < layout.columns; ++jl) {
+  // A bond across the symmetry plane of a half model: half of it is the image's.
+  for (int jl = sheet.at_symmetry_plane() ? -reach : 0; jl < layout.columns; ++jl) {
+    const double part = jl < 0 ? 0.25 : 0.5, dilatation = jl < 0 ? 0.0 : m.dilatation;
     for (int k = 0; k < layout.nz; ++k) {
       const RowTables<Real> tables = sheet.tables<Real>().row(jl, k);
       for (int b = 0; b < layout.blocks; ++b) {
@@ -138,8 +140,8 @@ void add_bond_energy(const IceSheet& sheet, const EnergyModel& m, EnergyCounts& 
         double elastic = 0.0, fracture = 0.0;
         for (int l = 0; l < block; ++l) {
           const double theta = sheet.theta[first + l];
-          elastic += m.dilatation * theta * theta + 0.5 * m.mass * bonds.elastic[l];
-          fracture += 0.5 * m.mass * bonds.fracture[l];
+          elastic += dilatation * theta * theta + part * m.mass * bonds.elastic[l];
+          fracture += part * m.mass * bonds.fracture[l];
         }
         sum.elastic += m.quanta(elastic);
         sum.fracture += m.quanta(fracture);

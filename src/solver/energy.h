@@ -32,7 +32,7 @@ struct EnergyModel {
   double potential(double z) const;
 };
 
-// One rank's part, in quanta.
+// One rank's part, in quanta; of a half model the port half alone, with half of every bond that crosses.
 struct EnergyCounts {
   std::int64_t kinetic = 0, potential = 0, elastic = 0, fracture = 0;
 };

@@ -20,6 +20,7 @@ EnergyWatch::EnergyWatch(const Communicator& comm, const Stepper& stepper, const
                          std::int64_t steps_per_sample)
     : comm_(comm),
       model_(stepper.ledger().model()),
+      copies_(stepper.sheet().lattice.copies()),
       samples_per_evaluation_((steps_per_evaluation + steps_per_sample - 1) / steps_per_sample),
       floor_(0.5 * s.ice.rho * std::pow(s.ice.h, 3) * s.V * s.V) {
   const EnergyCounts own = sheet_energy(stepper.sheet(), model_);
@@ -31,7 +32,7 @@ EnergyWatch::EnergyWatch(const Communicator& comm, const Stepper& stepper, const
 }
 
 EnergyWatch::Energies EnergyWatch::joules(const std::int64_t* counts) const {
-  const double q = model_.quantum;
+  const double q = copies_ * model_.quantum;
   return {counts[0] * q, counts[1] * q, counts[2] * q, counts[3] * q};
 }
 
@@ -46,8 +47,8 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
                              contact.hull_work, contact.gain};
   comm_.sum(counts, 10);
   const Energies e = joules(counts), gone = joules(counts + 4);
-  row.hull_work = counts[8] * model_.quantum;
-  row.contact_loss = (counts[8] - counts[9]) * model_.quantum;
+  row.hull_work = counts[8] * copies_ * model_.quantum;
+  row.contact_loss = (counts[8] - counts[9]) * copies_ * model_.quantum;
   // What a moving window has dropped counts as still there.
   dropped_ = gone.kinetic + gone.potential + gone.elastic;
   row.kinetic_energy = e.kinetic;

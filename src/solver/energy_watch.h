@@ -44,6 +44,7 @@ class EnergyWatch {
 
   const Communicator& comm_;
   EnergyModel model_;
+  int copies_;  // of the energy of a half model's port half
   std::int64_t samples_per_evaluation_, samples_ = 0;
   double start_, fracture_at_start_, fracture_ = 0.0;  //!< [J]
   double dropped_ = 0.0;                               // by a moving window [J]

@@ -30,6 +30,8 @@ Lattice make_lattice(const Scenario& s) {
   lattice.dx = s.numerics.dx;
   lattice.nx = static_cast<int>(std::lround(s.sheet.length / lattice.dx));
   lattice.ny = static_cast<int>(std::lround(s.sheet.width / lattice.dx));
+  lattice.half = s.sheet.half_model;
+  if (lattice.half) lattice.ny = (lattice.ny + 1) / 2;
   // A window moves by blocks.
   if (s.sheet.window_ahead > 0.0) lattice.nx = (lattice.nx + block - 1) / block * block;
   lattice.nz = static_cast<int>(std::lround(s.ice.h / lattice.dx));
@@ -40,6 +42,13 @@ Lattice make_lattice(const Scenario& s) {
   const double thickness = lattice.nz * lattice.dx;
   lattice.z0 = -thickness * s.ice.rho / s.water.rho + 0.5 * lattice.dx;
   return lattice;
+}
+
+Lattice whole_sheet(const Lattice& lattice) {
+  Lattice whole = lattice;
+  whole.ny += lattice.mirrored_columns();
+  whole.half = false;
+  return whole;
 }
 
 Partition make_partition(const Lattice& lattice, int rank, int ranks, int along_x) {

@@ -23,9 +23,15 @@ struct Lattice {
   double dx = 0.0;  //!< spacing [m]
   double z0 = 0.0;  //!< height of the lowest layer's centres above the water level, sheet afloat [m]
   int first = 0;    // particles along x that a moving window has left astern
+  // The ny columns are those at y > 0; as many more are their mirror images: column -1 - j that of j.
+  bool half = false;
+
+  int mirrored_columns() const { return half ? ny : 0; }
+  int copies() const { return half ? 2 : 1; }  // of a particle in the whole sheet
+  double width() const { return (ny + mirrored_columns()) * dx; }
 
   double x(int i) const { return (first + i + 0.5) * dx; }
-  double y(int j) const { return (j + 0.5 - 0.5 * ny) * dx; }
+  double y(int j) const { return (j + 0.5 - 0.5 * (ny - mirrored_columns())) * dx; }
   double z(int k) const { return z0 + k * dx; }
   int blocks() const { return (nx + block - 1) / block; }
   std::int64_t particles() const { return std::int64_t(nx) * ny * nz; }
@@ -34,9 +40,12 @@ struct Lattice {
   std::int64_t id(int i, int j, int k) const { return (std::int64_t(j) * nz + k) * nx + i; }
 };
 
-// The sheet of a scenario; its draught is that of floating ice. Throws InputError for a sheet thinner than a
-// layer.
+// The sheet of a scenario; its draught is that of floating ice. Where a half model would cut a column in two
+// the sheet is a column wider. Throws InputError for a sheet thinner than a layer.
 Lattice make_lattice(const Scenario& scenario);
+
+// Both halves of a half model's sheet: its column j is number j + mirrored_columns() there.
+Lattice whole_sheet(const Lattice& lattice);
 
 // Who owns what: a px x py grid of ranks over blocks (x) and columns (y).
 struct Partition {

@@ -10,6 +10,7 @@ LinearBlocks<Real>::LinearBlocks(const Lattice& lattice, const Layout& layout, d
       columns_(layout.columns),
       nz_(layout.nz),
       j0_(layout.j0),
+      lowest_(-lattice.mirrored_columns()),
       ny_(lattice.ny),
       limit2_(nz_ <= most_linear_layers ? static_cast<Real>(limit * limit * lattice.dx * lattice.dx) : 0),
       facts_(std::size_t(columns_ + 2 * reach) * (blocks_ + 2),
@@ -40,7 +41,7 @@ void LinearBlocks<Real>::settle(const Ice& ice, int jl) {
 template <class Real>
 void LinearBlocks<Real>::measure(const Ice& ice, int jl) {
   const int j = j0_ + jl;
-  if (j < 0 || j >= ny_) return;
+  if (j < lowest_ || j >= ny_) return;
   LinearFields<Real> f = ice.fields;
   for (const Real*& u : f.u) u += jl * f.column;
   // The copies north of the last one end there.

@@ -55,7 +55,7 @@ class LinearBlocks {
   void settle_quiet(int jl);
   void require(std::vector<std::uint8_t>& all, int jl, std::uint8_t facts) const;
 
-  int blocks_, columns_, nz_, j0_, ny_;
+  int blocks_, columns_, nz_, j0_, lowest_, ny_;  // lowest_: column of the sheet, mirror images included
   Real limit2_;
   int measured_ = 0, decided_ = 0;         // columns below are
   std::vector<Real> has_next_;             // ghost blocks first

@@ -125,8 +125,8 @@ LinearTables<Real>::LinearTables(const Lattice& lattice, const Layout& layout, c
   for (int jl = 0; jl < layout.columns; ++jl) {
     const int j = layout.j0 + jl;
     for (int b = 0; b < blocks_; ++b) {
-      const Class key{std::min(j, edge_influence), std::min(lattice.ny - 1 - j, edge_influence),
-                      ends_[b] ? b : -1};
+      const Class key{std::min(j + lattice.mirrored_columns(), edge_influence),
+                      std::min(lattice.ny - 1 - j, edge_influence), ends_[b] ? b : -1};
       auto [entry, is_new] = weights_.try_emplace(key);
       if (is_new) {
         const int i = layout.i0 + b * block;

@@ -21,6 +21,16 @@ std::vector<float> damage(const NearbyParticles& near) {
   return values;
 }
 
+// Of a half model: what lies on the other side of the plane y = 0. Pieces are there already.
+void append_mirror_images(IceCloud& c) {
+  const auto append = [](std::vector<float>& values, float sign) {
+    const std::size_t n = values.size();
+    for (std::size_t i = 0; i < n; ++i) values.push_back(sign * values[i]);
+  };
+  for (std::vector<float>* even : {&c.x, &c.z, &c.ux, &c.uz, &c.vx, &c.vz, &c.damage}) append(*even, 1.0f);
+  for (std::vector<float>* odd : {&c.y, &c.uy, &c.vy}) append(*odd, -1.0f);
+}
+
 }  // namespace
 
 IceCloud local_cloud(const Communicator& comm, const IceSheet& sheet) {
@@ -43,6 +53,7 @@ IceCloud local_cloud(const Communicator& comm, const IceSheet& sheet) {
     c.y.push_back(static_cast<float>(lattice.y(sheet.layout.j0 + jl) + sheet.u[1][p]));
     c.z.push_back(static_cast<float>(lattice.z(k) + sheet.u[2][p]));
   });
+  if (lattice.half) append_mirror_images(c);
   return c;
 }
 

@@ -51,9 +51,12 @@ class OwnPieces {
     for (int jl = -reach; jl < l.columns + reach; ++jl) {
       for (int k = 0; k < l.nz; ++k) {
         for (int il = -reach; il < l.blocks * block + reach; ++il) {
-          if (!near_.exists(jl, il) || (near_.own(jl, il) && !near_.shared(jl, il))) continue;
-          const std::int32_t n = near_.number(jl, k, il), root = set_.find(n);
-          if (root != n) list.push_back({near_.id(n), near_.id(root)});
+          if (!near_.exists(jl, il) || near_.image(jl) || (near_.own(jl, il) && !near_.shared(jl, il)))
+            continue;
+          for (int side = 0; side < near_.sides(); ++side) {
+            const std::int32_t n = near_.number(jl, k, il, side), root = set_.find(n);
+            if (root != n) list.push_back({near_.id(n), near_.id(root)});
+          }
         }
       }
     }
@@ -68,10 +71,12 @@ class OwnPieces {
     };
     std::vector<Count> counts(near_.size());
     near_.for_each_own([&](int jl, int k, int il) {
-      Count& c = counts[set_.find(near_.number(jl, k, il))];
-      ++c.size;
-      c.standing = c.standing || sheet_.held(sheet_.layout.i0 + il, sheet_.layout.j0 + jl);
-      c.shared = c.shared || near_.shared(jl, il);
+      for (int side = 0; side < near_.sides(); ++side) {
+        Count& c = counts[set_.find(near_.number(jl, k, il, side))];
+        ++c.size;
+        c.standing = c.standing || sheet_.held(sheet_.layout.i0 + il, sheet_.layout.j0 + jl);
+        c.shared = c.shared || near_.shared(jl, il);
+      }
     });
     const auto largest = std::max_element(counts.begin(), counts.end(),
                                           [](const Count& a, const Count& b) { return a.size < b.size; });
@@ -88,14 +93,16 @@ class OwnPieces {
     std::unordered_map<std::int64_t, std::int32_t> number;
     for (const Numbered& n : list) number[n.label] = static_cast<std::int32_t>(n.number);
     std::vector<std::int32_t> of_root(near_.size(), -2), result;
-    near_.for_each_own([&](int jl, int k, int il) {
-      const std::int32_t root = set_.find(near_.number(jl, k, il));
-      if (of_root[root] == -2) {
-        const auto found = number.find(near_.id(root));
-        of_root[root] = found == number.end() ? -1 : found->second;
-      }
-      result.push_back(of_root[root]);
-    });
+    for (int side = 0; side < near_.sides(); ++side) {
+      near_.for_each_own([&](int jl, int k, int il) {
+        const std::int32_t root = set_.find(near_.number(jl, k, il, side));
+        if (of_root[root] == -2) {
+          const auto found = number.find(near_.id(root));
+          of_root[root] = found == number.end() ? -1 : found->second;
+        }
+        result.push_back(of_root[root]);
+      });
+    }
     return result;
   }
 

@@ -59,8 +59,8 @@ void IceSheet::shift_bonds(const Communicator& comm) {
     for (int k = 0; k < layout.nz; ++k) {
       std::uint8_t* const row = state(jl, k);
       std::memmove(row - 1, row, blocks + 1);
-      row[blocks] = calm;
-      if (partition.east < 0) row[blocks - 1] = calm;
+      row[blocks] = fresh_state(jl);
+      if (partition.east < 0) row[blocks - 1] = fresh_state(jl);
     }
     mend_bonds(jl);
     std::copy_n(column, per_block, &words[(jl + reach) * per_block]);

@@ -14,6 +14,13 @@ std::int64_t samples_interval(const Scenario& s, double dt) {
   return std::max<std::int64_t>(1, std::llround(sampling_interval(s.ice.h) / dt));
 }
 
+// The other half's impulse is the mirror image in the plane y = 0: of a vector its y changes sign, of a
+// moment x and z.
+void complete_symmetric(std::int64_t (&impulse_and_moment)[8]) {
+  for (int c : {0, 2, 4}) impulse_and_moment[c] *= 2;
+  for (int c : {1, 3, 5}) impulse_and_moment[c] = 0;
+}
+
 }  // namespace
 
 double sampling_interval(double h) {
@@ -64,12 +71,14 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
   HistoryRow row;
   row.t = stepper.time();
   row.advance = V_ * row.t;
+  const Lattice& lattice = stepper.sheet().lattice;
+  if (lattice.half) complete_symmetric(totals);
   for (int c = 0; c < 3; ++c) {
     row.F[c] = totals[c] * impulse.linear() / history_.interval;
     row.M[c] = totals[c + 3] * impulse.angular() / history_.interval;
   }
   row.broken_bonds = totals[6];
-  row.contacts = totals[7];
+  row.contacts = totals[7] * lattice.copies();
   stepper.timer().lap(Phase::sampling);
   watch_.sample(stepper, row);
   stepper.timer().lap(Phase::energy);

@@ -28,6 +28,8 @@ struct Sheet {
   // Above 0: `length` is that of a window that moves with the ship. Fresh ice is laid so that this much lies
   // ahead of the stem, and as much is dropped astern [m]
   double window_ahead = 0.0;
+  // Only the port half is simulated, the starboard half being its mirror image in the plane y = 0.
+  bool half_model = false;
 };
 
 enum class ContactRule {

@@ -33,7 +33,8 @@ BondBits::BondBits(const Lattice& lattice, const Layout& layout, const Stencil& 
 }
 
 std::uint16_t BondBits::whole(const Lattice& lattice, const Offset& o, int first, int j) {
-  if (j < 0 || j + o.dj >= lattice.ny) return 0;
+  // Below 0 are the mirror images of a half model: their bonds among themselves are the port half's.
+  if ((j < 0 && !(lattice.half && j + o.dj >= 0)) || j + o.dj >= lattice.ny) return 0;
   unsigned word = 0;
   for (int l = 0; l < block; ++l) {
     const int i = first + l, i2 = i + o.di;
@@ -42,9 +43,9 @@ std::uint16_t BondBits::whole(const Lattice& lattice, const Offset& o, int first
   return static_cast<std::uint16_t>(word);
 }
 
-std::int64_t BondBits::count() const {
+std::int64_t BondBits::count(int jl0, int jl1) const {
   std::int64_t n = 0;
-  for (int jl = 0; jl < columns_; ++jl) {
+  for (int jl = jl0; jl < jl1; ++jl) {
     const std::uint16_t* words = row(jl, 0);
     for (int w = 0; w < blocks_ * per_block_; ++w) n += __builtin_popcount(words[w]);
   }
@@ -68,7 +69,10 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       fixed_(s.sheet.fixed),
       work_(make_work(s, material)),
       state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
-      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {}
+      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
+  // A bond across the symmetry plane and its image must break together, so both by the same arithmetic.
+  if (at_symmetry_plane()) std::fill_n(state_.begin(), reach * l.nz * (layout.blocks + 2), touched);
+}
 
 std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
     const Scenario& s, const Material& material) const {
@@ -102,7 +106,7 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
 bool IceSheet::held(int i, int j) const {
   if (fixed_ == FixedEdges::none) return false;
   if (fixed_ == FixedEdges::sides_and_far && i >= lattice.nx - held_columns) return true;
-  return j < held_columns || j >= lattice.ny - held_columns;
+  return (!lattice.half && j < held_columns) || j >= lattice.ny - held_columns;
 }
 
 std::size_t IceSheet::bytes() const {
@@ -203,7 +207,8 @@ std::int64_t IceSheet::dilate_column(Work<Real>& work, int jl) {
                                                 work.law, layout.blocks);
   if (linear) work.linear.calm_down(ice<Real>(), jl);
   linear_pass(work, Pass::theta, jl);
-  return jl >= 0 ? broken : 0;
+  if (jl >= 0) return lattice.copies() * broken;
+  return at_symmetry_plane() ? broken : 0;
 }
 
 std::int64_t IceSheet::dilatation(int jl0, int jl1) {

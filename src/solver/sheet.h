@@ -29,7 +29,8 @@ class BondBits {
   std::uint16_t* row(int jl, int k) { return &words_[index(jl, 0, k)]; }
   const std::uint16_t* row(int jl, int k) const { return &words_[index(jl, 0, k)]; }
   int per_block() const { return per_block_; }
-  std::int64_t count() const;  // alive bonds of this rank's own particles
+  std::int64_t count() const { return count(0, columns_); }  // alive bonds of this rank's own particles
+  std::int64_t count(int jl0, int jl1) const;                // of own blocks in the columns [jl0, jl1)
   std::size_t bytes() const { return words_.size() * sizeof words_[0]; }
 
  private:
@@ -63,8 +64,9 @@ class IceSheet {
   // dilatation of a column looks at displacements up to `ahead` columns further.
   static constexpr int ahead = 2 * reach;
   void drift(const DriftSettings& settings, int jl0, int jl1);  // v += dt (bonds + g); u += dt v
-  std::int64_t dilatation(int jl0, int jl1);  // breaks bonds; returns how many of this rank's own did
-  void force(int jl0, int jl1);               // the bonds' part of the acceleration
+  // Breaks bonds; returns how many of this rank's own did, a half model's counted in the whole sheet.
+  std::int64_t dilatation(int jl0, int jl1);
+  void force(int jl0, int jl1);  // the bonds' part of the acceleration
 
   // Whole passes.
   void drift(const DriftSettings& settings) { drift(settings, 0, layout.columns); }
@@ -72,7 +74,15 @@ class IceSheet {
   void force() { force(first_column(), layout.columns); }
 
   // The lowest column whose bonds reach into this rank's part.
-  int first_column() const { return partition.south >= 0 ? -reach : 0; }
+  int first_column() const { return partition.south >= 0 || lattice.half ? -reach : 0; }
+
+  // Half model: whether the columns below the own ones are mirror images (solver/mirror.h). Their bonds to
+  // own columns are all that cross the plane, each of the whole sheet once.
+  bool at_symmetry_plane() const { return lattice.half && partition.south < 0; }
+  // Alive bonds of this rank's own particles, in the whole sheet.
+  std::int64_t bonds() const {
+    return lattice.copies() * bits.count() + (at_symmetry_plane() ? bits.count(-reach, 0) : 0);
+  }
 
   // The window moves by a block along x (solver/moving_window.cpp): block 0 of the lattice is dropped, one of
   // fresh ice at rest is laid at the other end. Collective. Ghosts of the fields are out of date afterwards.
@@ -96,6 +106,8 @@ class IceSheet {
   std::uint8_t* state(int jl, int k) {
     return &state_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
   }
+  // Of a block without strain.
+  BlockState fresh_state(int jl) const { return layout.j0 + jl < 0 ? touched : calm; }
   const std::uint8_t* state(int jl, int k) const { return const_cast<IceSheet*>(this)->state(jl, k); }
 
   // Bonds' constants; Real must be of the sheet's precision.

@@ -33,22 +33,28 @@ struct Range {
   int row0, row1, block0, block1;
 };
 
+// Rows of the file below column 0: a half model's bonds across the symmetry plane, all of which start there.
+int rows_below(const IceSheet& sheet) {
+  return sheet.lattice.half ? reach : 0;
+}
+
 Range own(const IceSheet& sheet) {
-  return {0, sheet.layout.columns, 0, sheet.layout.blocks};
+  return {sheet.at_symmetry_plane() ? -reach : 0, sheet.layout.columns, 0, sheet.layout.blocks};
 }
 
 // With the copies of the neighbours' that exist.
 Range followed(const IceSheet& sheet) {
   const Layout& l = sheet.layout;
-  return {std::max(-reach, -l.j0), l.columns, sheet.partition.block0 > 0 ? -1 : 0,
+  return {std::max(-reach, -l.j0 - rows_below(sheet)), l.columns, sheet.partition.block0 > 0 ? -1 : 0,
           l.blocks + (sheet.partition.block1 < sheet.lattice.blocks() ? 1 : 0)};
 }
 
 Places bonds_of(const IceSheet& sheet, const Range& r) {
   const Layout& l = sheet.layout;
   const Sizes count = {size(r.row1 - r.row0), size(r.block1 - r.block0), size(sheet.bits.per_block())};
-  return {{{size(sheet.lattice.ny), size(sheet.lattice.blocks()), size(sheet.bits.per_block())},
-           {size(l.j0 + r.row0), size(sheet.partition.block0 + r.block0), 0},
+  const int below = rows_below(sheet);
+  return {{{size(below + sheet.lattice.ny), size(sheet.lattice.blocks()), size(sheet.bits.per_block())},
+           {size(below + l.j0 + r.row0), size(sheet.partition.block0 + r.block0), 0},
            count},
           {{size(l.columns + reach), size(l.blocks + 2), size(sheet.bits.per_block())},
            {size(r.row0 + reach), size(r.block0 + 1), 0},
@@ -58,8 +64,9 @@ Places bonds_of(const IceSheet& sheet, const Range& r) {
 Places states_of(const IceSheet& sheet, const Range& r) {
   const Layout& l = sheet.layout;
   const Sizes count = {size(r.row1 - r.row0), size(l.nz), size(r.block1 - r.block0)};
-  return {{{size(sheet.lattice.ny), size(l.nz), size(sheet.lattice.blocks())},
-           {size(l.j0 + r.row0), 0, size(sheet.partition.block0 + r.block0)},
+  const int below = rows_below(sheet);
+  return {{{size(below + sheet.lattice.ny), size(l.nz), size(sheet.lattice.blocks())},
+           {size(below + l.j0 + r.row0), 0, size(sheet.partition.block0 + r.block0)},
            count},
           {{size(l.columns + reach), size(l.nz), size(l.blocks + 2)},
            {size(r.row0 + reach), 0, size(r.block0 + 1)},

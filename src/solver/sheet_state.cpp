@@ -9,9 +9,11 @@
 namespace icebow {
 namespace {
 
-// What a rank sends, in this order: its partition, then u, then the bond words of its blocks.
+// What a rank sends, in this order: its partition, then of each column u and the bond words of its blocks, of
+// the images below a symmetry plane the words alone.
 struct Part {
   int block0, block1, j0, j1;
+  int images;  // columns below j0
 };
 
 template <class T>
@@ -23,10 +25,11 @@ void append(std::vector<char>& bytes, const T* data, std::size_t n) {
 std::vector<char> packed(const IceSheet& sheet) {
   const Layout& layout = sheet.layout;
   std::vector<char> bytes;
-  const Part part{sheet.partition.block0, sheet.partition.block1, sheet.partition.j0, sheet.partition.j1};
+  const Part part{sheet.partition.block0, sheet.partition.block1, sheet.partition.j0, sheet.partition.j1,
+                  sheet.at_symmetry_plane() ? reach : 0};
   append(bytes, &part, 1);
-  for (int jl = 0; jl < layout.columns; ++jl) {
-    for (int k = 0; k < layout.nz; ++k) {
+  for (int jl = -part.images; jl < layout.columns; ++jl) {
+    for (int k = 0; k < layout.nz && jl >= 0; ++k) {
       const std::size_t row = layout.row(jl, k), n = std::size_t(layout.blocks) * block;
       for (const Field& u : sheet.u) {
         for (std::size_t p = row; p < row + n; ++p) {
@@ -41,16 +44,17 @@ std::vector<char> packed(const IceSheet& sheet) {
 }
 
 // Reads one rank's part: displacements, alive and initial bonds, and joins particles that a bond still holds
-// together.
+// together. What comes of a half model fills both halves of the state, whose lattice is whole.
 class Unpacker {
  public:
-  Unpacker(const Lattice& lattice, const Stencil& stencil, SheetState& state, UnionFind& pieces)
-      : lattice_(lattice),
-        stencil_(stencil),
+  Unpacker(const IceSheet& sheet, SheetState& state, UnionFind& pieces)
+      : lattice_(state.lattice),
+        below_(sheet.lattice.mirrored_columns()),
+        stencil_(sheet.stencil),
         state_(state),
         pieces_(pieces),
-        initial_(lattice.particles()),
-        broken_(lattice.particles()) {}
+        initial_(lattice_.particles()),
+        broken_(lattice_.particles()) {}
 
   void write_damage() {
     for (std::size_t id = 0; id < broken_.size(); ++id) {
@@ -66,13 +70,12 @@ class Unpacker {
     const int n = (part.block1 - part.block0) * block;
     std::vector<float> values(n);
     std::vector<std::uint16_t> words(std::size_t(part.block1 - part.block0) * stencil_.column_slots());
-    for (int j = part.j0; j < part.j1; ++j) {
-      for (int k = 0; k < lattice_.nz; ++k) {
-        for (std::vector<float>& u : state_.u) {
+    for (int j = part.j0 - part.images; j < part.j1; ++j) {
+      for (int k = 0; k < lattice_.nz && j >= part.j0; ++k) {
+        for (int c = 0; c < 3; ++c) {
           std::memcpy(values.data(), p, n * sizeof(float));
           p += n * sizeof(float);
-          const int i0 = part.block0 * block, real = std::min(n, lattice_.nx - i0);
-          std::copy_n(values.begin(), real, u.begin() + lattice_.id(i0, j, k));
+          place_row(values, c, part.block0 * block, j, k);
         }
       }
       std::memcpy(words.data(), p, words.size() * sizeof(std::uint16_t));
@@ -82,6 +85,16 @@ class Unpacker {
   }
 
  private:
+  void place_row(std::vector<float>& values, int component, int i0, int j, int k) {
+    std::vector<float>& u = state_.u[component];
+    const int real = std::min(static_cast<int>(values.size()), lattice_.nx - i0);
+    std::copy_n(values.begin(), real, u.begin() + lattice_.id(i0, below_ + j, k));
+    if (below_ == 0) return;
+    if (component == 1)
+      for (float& value : values) value = -value;
+    std::copy_n(values.begin(), real, u.begin() + lattice_.id(i0, below_ - 1 - j, k));
+  }
+
   void read_bonds(int j, int block0, const std::vector<std::uint16_t>& words) {
     const int blocks = static_cast<int>(words.size()) / stencil_.column_slots();
     for (int b = 0; b < blocks; ++b) {
@@ -95,26 +108,34 @@ class Unpacker {
     }
   }
 
-  // The bonds of (i, j, k) to higher ends count for both.
+  // The bonds of (i, j, k) to higher ends, and their images unless they cross the plane: those come by
+  // themselves.
   void read_family(int i, int j, int k, const std::uint16_t* words, int lane) {
     const std::vector<Offset>& offsets = stencil_.half[k];
-    const std::int64_t id = lattice_.id(i, j, k);
     for (std::size_t s = 0; s < offsets.size(); ++s) {
-      const int i2 = i + offsets[s].di, j2 = j + offsets[s].dj;
-      if (i2 < 0 || i2 >= lattice_.nx || j2 < 0 || j2 >= lattice_.ny) continue;
-      const std::int64_t other = lattice_.id(i2, j2, k + offsets[s].dk);
-      ++initial_[id];
-      ++initial_[other];
-      if (words[s] >> lane & 1) {
-        pieces_.join(static_cast<std::int32_t>(id), static_cast<std::int32_t>(other));
-      } else {
-        ++broken_[id];
-        ++broken_[other];
-      }
+      const int i2 = i + offsets[s].di, j2 = j + offsets[s].dj, k2 = k + offsets[s].dk;
+      if (i2 < 0 || i2 >= lattice_.nx || j2 < 0 || below_ + j2 >= lattice_.ny) continue;
+      const bool alive = words[s] >> lane & 1;
+      add_bond(lattice_.id(i, below_ + j, k), lattice_.id(i2, below_ + j2, k2), alive);
+      if (below_ > 0 && j >= 0)
+        add_bond(lattice_.id(i, below_ - 1 - j, k), lattice_.id(i2, below_ - 1 - j2, k2), alive);
+    }
+  }
+
+  // Counts for both ends.
+  void add_bond(std::int64_t id, std::int64_t other, bool alive) {
+    ++initial_[id];
+    ++initial_[other];
+    if (alive) {
+      pieces_.join(static_cast<std::int32_t>(id), static_cast<std::int32_t>(other));
+    } else {
+      ++broken_[id];
+      ++broken_[other];
     }
   }
 
   const Lattice& lattice_;
+  const int below_;  // columns of the state below column 0 of the parts
   const Stencil& stencil_;
   SheetState& state_;
   UnionFind& pieces_;
@@ -124,6 +145,7 @@ class Unpacker {
 // Pieces tied to a held edge stand (the largest one where nothing is held); floes are at least (2h)^2 h.
 void number_pieces(const IceSheet& sheet, UnionFind& set, SheetState& state) {
   const Lattice& lattice = state.lattice;
+  const int below = sheet.lattice.mirrored_columns();
   const std::size_t n = lattice.particles();
   std::vector<int> size(n, 0);
   std::vector<char> standing(n, 0);
@@ -133,7 +155,7 @@ void number_pieces(const IceSheet& sheet, UnionFind& set, SheetState& state) {
       for (int i = 0; i < lattice.nx; ++i) {
         const std::int32_t root = set.find(static_cast<std::int32_t>(lattice.id(i, j, k)));
         ++size[root];
-        if (!sheet.held(i, j)) continue;
+        if (!sheet.held(i, j < below ? below - 1 - j : j - below)) continue;
         standing[root] = 1;
         any_standing = true;
       }
@@ -171,14 +193,14 @@ double channel_width(const SheetState& state, int i) {
 SheetState gather_state(const Communicator& comm, const IceSheet& sheet) {
   const std::vector<std::vector<char>> parts = comm.gather(packed(sheet));
   SheetState state;
-  state.lattice = sheet.lattice;
+  state.lattice = whole_sheet(sheet.lattice);
   if (!comm.is_root()) return state;
-  const std::size_t n = sheet.lattice.particles();
+  const std::size_t n = state.lattice.particles();
   for (std::vector<float>& u : state.u) u.resize(n);
   state.damage.resize(n);
   state.piece.resize(n);
   UnionFind set(n);
-  Unpacker unpacker(sheet.lattice, sheet.stencil, state, set);
+  Unpacker unpacker(sheet, state, set);
   for (const std::vector<char>& bytes : parts) unpacker.read(bytes);
   unpacker.write_damage();
   number_pieces(sheet, set, state);

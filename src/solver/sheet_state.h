@@ -12,7 +12,7 @@
 
 namespace icebow {
 
-// Particles in the order of Lattice::id.
+// Particles in the order of Lattice::id; both halves of a half model.
 struct SheetState {
   Lattice lattice;
   std::vector<float> u[3];

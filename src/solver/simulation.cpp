@@ -51,10 +51,22 @@ void check_window(const QuadMesh& hull, const Scenario& s) {
            s.sheet.length, s.sheet.window_ahead, needed));
 }
 
+void check_symmetry(const QuadMesh& hull, const Lattice& lattice) {
+  const double tolerance = 1e-3 * lattice.dx;  // contact does not notice less
+  const auto place = place_without_mirror_image(hull, tolerance);
+  if (!place) return;
+  throw InputError(
+      text("a half model needs a hull that is the same on both sides of y = 0: there is no mirror image, to "
+           "within %.2g m, of the surface at x = %.4f m, y = %.4f m, z = %.4f m; correct the hull, or "
+           "simulate the whole sheet (/sheet/half_model false)",
+           tolerance, place->x(), place->y(), place->z()));
+}
+
 void check(const QuadMesh& hull, const Scenario& s, const Lattice& lattice) {
+  if (s.sheet.half_model) check_symmetry(hull, lattice);
   const Box box = bounding_box(hull);
   const double beam = box.upper.y() - box.lower.y();
-  if (lattice.ny * lattice.dx < 1.2 * beam) {
+  if (lattice.width() < 1.2 * beam) {
     throw InputError(text("sheet of %.3f m is too narrow for a beam of %.3f m: make it at least %.3f m wide",
                           s.sheet.width, beam, 1.2 * beam));
   }
@@ -116,7 +128,7 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   }
   metrics.resistance = series_statistics(resistance);
   metrics.vertical = series_statistics(vertical);
-  std::int64_t bonds = stepper.sheet().bits.count() + stepper.broken_bonds();
+  std::int64_t bonds = stepper.sheet().bonds() + stepper.broken_bonds();
   comm.sum(&bonds, 1);
   metrics.bonds = bonds;
   metrics.broken_bonds = history.rows.empty() ? 0 : history.rows.back().broken_bonds;

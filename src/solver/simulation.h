@@ -55,11 +55,11 @@ struct RunResult {
   RunEnd ended = RunEnd::advance_reached;
   History history;
   Metrics metrics;
-  double dt = 0.0;             //!< [s]
-  double dt_limit = 0.0;       //!< stability limit used [s]
-  double s0 = 0.0;             // critical stretch used
-  int nx = 0, ny = 0, nz = 0;  // particles along x, y, z
-  std::int64_t directed_bonds = 0;
+  double dt = 0.0;                  //!< [s]
+  double dt_limit = 0.0;            //!< stability limit used [s]
+  double s0 = 0.0;                  // critical stretch used
+  int nx = 0, ny = 0, nz = 0;       // particles along x, y, z; of a half model ny of the port half
+  std::int64_t directed_bonds = 0;  // simulated; without those across a half model's plane
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
   Profile profile;                      // where the wall time went
@@ -76,7 +76,7 @@ RunResult simulate(const Communicator& comm, const QuadMesh& hull, const Scenari
 
 // The number of steps and bonds a run will take, without running it.
 struct RunSize {
-  int nx = 0, ny = 0, nz = 0;
+  int nx = 0, ny = 0, nz = 0;  // as RunResult's
   std::int64_t steps = 0;
   double dt = 0.0, dt_limit = 0.0;
 };

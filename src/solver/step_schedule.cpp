@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/mirror.h"
+
 namespace icebow {
 
 StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer& timer)
@@ -16,6 +18,11 @@ std::int64_t StepSchedule::run(const Move& move) {
   const std::int64_t broken = dilate();
   accelerate();
   return broken;
+}
+
+void StepSchedule::refresh() {
+  displacements_.exchange();
+  mirror_displacements(sheet_);
 }
 
 void StepSchedule::displace(const Move& move) {
@@ -47,6 +54,7 @@ std::int64_t StepSchedule::dilate() {
     for (; arrived <= std::min(c + 2, chunks); ++arrived)
       displacements_.wait(arrived == chunks ? Halo::north : Halo::chunk(arrived));
     timer_.lap(Phase::halo_u);
+    if (c == 0) mirror_displacements(sheet_);
     const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
     broken += sheet_.dilatation(begin, displacements_.chunk_end(c));
     timer_.lap(Phase::dilatation);
@@ -67,6 +75,7 @@ void StepSchedule::accelerate() {
     timer_.lap(Phase::force);
   }
   dilatations_.wait(Halo::south);
+  mirror_dilatations(sheet_);
   timer_.lap(Phase::halo_theta);
   if (sheet_.first_column() < 0) sheet_.force(sheet_.first_column(), 0);
   timer_.lap(Phase::force);

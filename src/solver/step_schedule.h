@@ -25,7 +25,7 @@ class StepSchedule {
   std::int64_t run(const Move& move);
 
   // Collective: the neighbours' displacements, after something other than a step has changed them.
-  void refresh() { displacements_.exchange(); }
+  void refresh();
 
   std::size_t bytes_sent() const { return displacements_.bytes_sent() + dilatations_.bytes_sent(); }
 

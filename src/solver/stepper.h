@@ -37,8 +37,10 @@ class Stepper {
   const ExactImpulse& impulse() const { return impulse_; }
   // Of this rank, since the last take_impulse().
   ExactImpulse take_impulse();
-  int contacts() const { return contacts_; }                   // particles touching the hull now, this rank
-  std::int64_t broken_bonds() const { return broken_bonds_; }  // this rank's own, so far
+  int contacts() const { return contacts_; }  // particles touching the hull now, this rank
+  std::int64_t broken_bonds() const {
+    return broken_bonds_;
+  }  // so far, this rank's own as in IceSheet::bonds
   // Energy of the ice that a moving window has dropped, less that of what it laid; this rank's, in quanta.
   const EnergyCounts& dropped() const { return dropped_; }
   const ContactLedger& ledger() const { return ledger_; }

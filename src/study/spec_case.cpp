@@ -88,6 +88,7 @@ void read_operation_and_sheet(const Section& operation, const Section& sheet, Ca
   c.sheet.length = given_or(sheet, "length", ahead + c.bow.Lf + c.bow.B);
   c.sheet.width = given_or(sheet, "width", 3.5 * c.bow.B);
   c.sheet.fixed = fixed_edges(sheet.text("fixed_edges", "sides"));
+  c.sheet.half_model = sheet.boolean("half_model");
 }
 
 void read_numerics(const Section& s, double thickness, Numerics& numerics) {
@@ -153,7 +154,8 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
     m.push_back({s.solver.pointer("spacing"), "is " + metres(c.numerics.dx) + ", coarser than the ice of " +
                                                   metres(c.ice.h) + ": less than one layer of particles"});
   }
-  const double particles = c.sheet.length * c.sheet.width * c.ice.h / std::pow(c.numerics.dx, 3);
+  const double width = c.sheet.width / (c.sheet.half_model ? 2 : 1);
+  const double particles = c.sheet.length * width * c.ice.h / std::pow(c.numerics.dx, 3);
   if (particles > most_particles) {
     m.push_back({s.solver.pointer(s.solver.has("spacing") ? "spacing" : "layers"),
                  "makes about " + brief(particles) + " particles, at most " + brief(most_particles) +

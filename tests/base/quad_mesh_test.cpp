@@ -40,6 +40,28 @@ TEST_CASE("enclosed volume does not depend on where the box stands, and its sign
   CHECK(enclosed_volume(inward) == Approx(-24.0));
 }
 
+TEST_CASE("what has no mirror image in the plane y = 0 is found") {
+  QuadMesh mesh = box_mesh(2.0, 3.0, 4.0, Vec3(0.0, -1.5, 0.0));
+  CHECK_FALSE(place_without_mirror_image(mesh, 1e-3));
+  mesh.points[2].z() += 1e-4;
+  CHECK_FALSE(place_without_mirror_image(mesh, 1e-3));
+  mesh.points[2].z() += 0.1;
+  REQUIRE(place_without_mirror_image(mesh, 1e-3));
+  CHECK(place_without_mirror_image(mesh, 1e-3)->x() == 0.0);
+  CHECK(place_without_mirror_image(box_mesh(2.0, 3.0, 4.0, Vec3::Zero()), 1e-3));
+
+  // All points have images, but a side is cut into triangles on port alone.
+  QuadMesh cut = box_mesh(2.0, 3.0, 4.0, Vec3(0.0, -1.5, 0.0));
+  const std::array<int, 4> side = cut.quads[3];
+  cut.quads[3] = {side[0], side[1], side[2], side[2]};
+  cut.quads.push_back({side[0], side[2], side[3], side[3]});
+  CHECK(place_without_mirror_image(cut, 1e-3));
+  const std::array<int, 4> other = cut.quads[2];  // its corners in mirrored order, repeating another corner
+  cut.quads[2] = {other[0], other[0], other[1], other[2]};
+  cut.quads.push_back({other[0], other[2], other[3], other[3]});
+  CHECK_FALSE(place_without_mirror_image(cut, 1e-3));
+}
+
 TEST_CASE("triangles count once") {
   const QuadMesh mesh = tetrahedron();
   CHECK(mesh.is_triangle(0));

@@ -156,6 +156,15 @@ TEST_CASE("a run in a moving window goes on from its checkpoint") {
   check_two_parts(s);
 }
 
+TEST_CASE("a half model goes on from its checkpoint, in a moving window too") {
+  Scenario s = breaking_ice();
+  s.sheet.half_model = true;
+  check_two_parts(s);
+  s.V = 1.0;
+  s.sheet.window_ahead = s.sheet.length - 0.1;
+  check_two_parts(s);
+}
+
 namespace {
 
 struct Files {

@@ -6,6 +6,7 @@
 #include "base/communicator.h"
 #include "base/vec.h"
 #include "solver/halo.h"
+#include "solver/mirror.h"
 #include "solver/sheet.h"
 
 namespace icebow {
@@ -56,8 +57,10 @@ class IceBlock {
       for (Field& a : sheet.acceleration) a[p] = 0.0;
     }
     displacements_.exchange();
+    mirror_displacements(sheet);
     const std::int64_t broken = sheet.dilatation();
     dilatations_.exchange();
+    mirror_dilatations(sheet);
     sheet.force();
     return broken;
   }

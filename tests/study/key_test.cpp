@@ -47,6 +47,7 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { bit(c.sheet.length); },
       [&](Case& c) { bit(c.sheet.width); },
       [&](Case& c) { c.sheet.fixed = FixedEdges::none; },
+      [&](Case& c) { c.sheet.half_model = true; },
       [&](Case& c) { bit(c.numerics.dx); },
       [&](Case& c) { bit(c.numerics.horizon_ratio); },
       [&](Case& c) { bit(c.numerics.dt); },

@@ -65,6 +65,7 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(c.steady_from == Approx(0.55 * 23));
   CHECK(c.sheet.width == Approx(3.5 * 23));
   CHECK(c.sheet.length == Approx(2.75 * 23 + 32.5 + 23));
+  CHECK_FALSE(c.sheet.half_model);
   CHECK(c.numerics.dx == Approx(1.0 / 3));
   CHECK(c.numerics.dt == 0);
   CHECK(c.bow.belt_below == 1.5);
@@ -76,7 +77,7 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
 TEST_CASE("values given at model scale come back to the solver as they were given") {
   const Case c = read_case(with(R"({"ice": {"scale": "model", "thickness_m": 0.04, "elastic_modulus_MPa": 52,
       "fracture_toughness_kPa_sqrt_m": 60, "friction": 0.07, "density_kg_m3": 826.6},
-    "sheet": {"scale": "model", "length_m": 6.5, "width_m": 3.25},
+    "sheet": {"scale": "model", "length_m": 6.5, "width_m": 3.25, "half_model": true},
     "operation": {"scale": "model", "speed_kn": null, "speed_m_s": 0.4116, "advance_m": 2.5, "steady_from_m": 0.5},
     "solver": {"scale": "model", "spacing_m": 0.013, "time_step_s": 2e-5}})"),
                            "t.json");
@@ -91,6 +92,7 @@ TEST_CASE("values given at model scale come back to the solver as they were give
   CHECK(s.ice.rho == 826.6);
   check_ulps(s.sheet.length, 6.5);
   check_ulps(s.sheet.width, 3.25);
+  CHECK(s.sheet.half_model);
   check_ulps(s.V, 0.4116);
   check_ulps(s.advance, 2.5);
   check_ulps(s.steady_from, 0.5);
