@@ -4,9 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cut.h"
 #include "solver/energy.h"
-#include "still_ice.h"
+#include "tearing.h"
 
 using namespace icebow;
 
@@ -48,20 +47,9 @@ class DoubleCantilever {
     ice_.settle(1e-4);
     return ice_.work();
   }
-  struct Break {
-    double load;         //!< at which the next bonds break [N]
-    std::int64_t bonds;  // broken there
-  };
-  // The next bonds to break as the load is raised from nothing on the ice as it is.
-  Break break_next() {
-    settled_work();
-    double largest = 0.0;
-    visit([&](double stretch) {
-      largest = std::max(largest, stretch);
-      return false;
-    });
-    const std::int64_t bonds = visit([&](double stretch) { return stretch > 0.999 * largest; });
-    return {ice_.ice.material.s0 / largest, bonds};
+  // Where the forces act nothing is to break.
+  Tear tear() {
+    return icebow::tear(ice_, [](int i, int, int, const Offset& o) { return i >= 3 || i + o.di >= 6; });
   }
   // Area that bonds no longer cross, by their number [m^2].
   double opened() const {
@@ -96,15 +84,6 @@ class DoubleCantilever {
     return s;
   }
   static bool crosses(int j, const Offset& o) { return (j < ny / 2) != (j + o.dj < ny / 2); }
-  template <class Gone>
-  std::int64_t visit(Gone gone) {
-    const double dx = s_.numerics.dx;
-    return cut(ice_.ice.sheet, [&](int i, int j, int k, const Offset& o) {
-      const Vec3 xi(o.di * dx, o.dj * dx, o.dk * dx);
-      if (i < 3 && i + o.di < 6) return false;  // where the forces act nothing is to break
-      return gone(xi.dot(ice_.u(i + o.di, j + o.dj, k + o.dk) - ice_.u(i, j, k)) / (o.length * o.length));
-    });
-  }
 
   Scenario s_;
   StillIce ice_;
@@ -159,7 +138,7 @@ TEST_CASE("a pre-cut double cantilever tears at the load whose energy release ra
     const double before = ice.opened();
     double first = 0.0, highest = 0.0, advance = 0.0, weighted = 0.0, last = 0.5;
     while (advance < 1.5) {
-      const DoubleCantilever::Break next = ice.break_next();
+      const Tear next = ice.tear();
       // Work and energy at a fixed load: G = d(work)/da, both at `load` times 1 N.
       const double G = next.load * next.load * work.slope(crack + advance) / column;
       if (first == 0.0) first = G;
