@@ -1,6 +1,9 @@
 // What bends: a cantilever's modulus and a sheet's flexural rigidity, found by loading pieces of ice at rest.
 #pragma once
 
+#include <map>
+#include <utility>
+
 #include "still_ice.h"
 
 namespace icebow {
@@ -63,10 +66,10 @@ inline double clamped_plate_deflection(int n, int layers, bool corrected) {
   return sum;
 }
 
-// D of the plate that two clamped ones of 12 h and 20 h show. Bending goes with (a + c)^4: where exactly the
-// clamp begins, c, is found with D. Coefficients: Timoshenko and Woinowsky-Krieger 1959, table 35, and
-// Reissner's shear, 0.0737 q a^2 / (5/6 G h).
-inline double plate_rigidity(int layers, bool corrected) {
+// D over that of plate theory, as two clamped plates of 12 h and 20 h show it. Bending goes with (a + c)^4:
+// where exactly the clamp begins, c, is found with D. Coefficients: Timoshenko and Woinowsky-Krieger 1959,
+// table 35, and Reissner's shear, 0.0737 q a^2 / (5/6 G h).
+inline double plate_rigidity_found(int layers, bool corrected) {
   const int n[2] = {12 * layers, 20 * layers};
   const Scenario s = bent_piece(40, 40, layers, corrected);
   const double dx = s.numerics.dx, G = s.ice.E / (2.0 * (1.0 + s.ice.nu));
@@ -76,7 +79,14 @@ inline double plate_rigidity(int layers, bool corrected) {
     root[p] = std::pow((clamped_plate_deflection(n[p], layers, corrected) - shear) * a * a, 0.25);
   }
   const double per_length = (root[1] - root[0]) / ((n[1] - n[0]) * dx);
-  return 0.001265 / std::pow(per_length, 4.0);
+  return 0.001265 / std::pow(per_length, 4.0) / rigidity(s.ice);
+}
+
+inline double plate_rigidity(int layers, bool corrected) {  // found once
+  static std::map<std::pair<int, bool>, double> known;
+  const auto [entry, is_new] = known.try_emplace({layers, corrected});
+  if (is_new) entry->second = plate_rigidity_found(layers, corrected);
+  return entry->second;
 }
 
 }  // namespace icebow
