@@ -2,8 +2,37 @@
 #include <catch2/catch.hpp>
 
 #include "bent_ice.h"
+#include "solver/energy.h"
 
 using namespace icebow;
+
+namespace {
+
+// D over that of plate theory of a sheet to which a cylindrical curvature is given, its thickness free, from
+// the elastic energy away from its edges. By the principle of least energy not below that of a sheet at rest.
+double rigidity_of_given_curvature(int layers, bool corrected) {
+  const double curvature = 1e-4, dx = 0.013;
+  const auto energy = [&](int nx, int ny) {
+    const Scenario s = in_double_precision(bent_piece(nx, ny, layers, corrected));
+    IceBlock b(s);
+    const Lattice& l = b.lattice;
+    const Vec3 middle(0.5 * (l.x(0) + l.x(nx - 1)), 0.0, 0.5 * (l.z(0) + l.z(layers - 1)));
+    const double thinning = s.ice.nu / (1.0 - s.ice.nu);
+    b.displace([&](const Vec3& point) -> Vec3 {
+      const Vec3 x = point - middle;
+      const double w = 0.5 * (x.x() * x.x() + thinning * x.z() * x.z());
+      return curvature * Vec3(-x.x() * x.z(), 0.0, w);
+    });
+    b.accelerate();
+    const EnergyModel model(s, l, b.material, 1e-5);
+    return sheet_energy(b.sheet, model).elastic * model.quantum;
+  };
+  const double more = energy(48, 28) - energy(48, 20) - energy(32, 28) + energy(32, 20);
+  const double D = rigidity(bent_piece(40, 40, layers, corrected).ice);
+  return more / (16 * 8 * dx * dx) / (0.5 * D * curvature * curvature);
+}
+
+}  // namespace
 
 TEST_CASE("a cantilever's modulus nears E with more layers, faster than in proportion to the spacing") {
   double coarser = 1.0;
@@ -30,13 +59,32 @@ TEST_CASE("corrected edges stiffen a narrow cantilever") {
 TEST_CASE("a clamped plate's rigidity nears E h^3 / (12 (1 - nu^2)) with more layers") {
   double coarser = 1.0;
   for (int layers = 2; layers <= 4; ++layers) {
-    const double ratio = plate_rigidity(layers, true), error = (1.0 - ratio) * layers;
-    INFO(layers << " layers: rigidity " << ratio << " of theory");
+    const double ratio = plate_rigidity(layers, true), error = (1.0 - ratio) * layers,
+                 given = rigidity_of_given_curvature(layers, true);
+    INFO(layers << " layers: rigidity " << ratio << ", where the curvature is given " << given
+                << " of theory");
     CHECK(ratio < 1.0);
+    CHECK(ratio == Approx(given).epsilon(0.04));
     CHECK(error < coarser);
     coarser = error;
   }
   CHECK(coarser < 0.7);
+}
+
+TEST_CASE(
+    "a given curvature stores less than a plate's energy, for bonds between layers feel their mean strain") {
+  double thinner = 0.0;
+  for (int layers = 2; layers <= 5; ++layers) {
+    const double corrected = rigidity_of_given_curvature(layers, true),
+                 bare = rigidity_of_given_curvature(layers, false);
+    const double points = 1.0 - 1.0 / (layers * layers);  // moment of inertia of n layers of points
+    INFO(layers << " layers: rigidity " << corrected << ", without surface correction " << bare
+                << "; layers of points have " << points << " of theory");
+    CHECK(corrected > thinner);
+    CHECK(corrected < points);
+    CHECK(bare < 0.65 * corrected);
+    thinner = corrected;
+  }
 }
 
 TEST_CASE("without surface correction a sheet bends far too easily") {
