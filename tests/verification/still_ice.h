@@ -2,6 +2,8 @@
 // precision and so close to the undeformed lattice that they are linear.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <vector>
