@@ -65,7 +65,10 @@ std::string mesh_row(const Json& mesh) {
   return "mesh: " + mesh.at("quads").dump() + " quads, " + mesh.at("points").dump() + " points, closed " +
          yes("closed") + ", outward " + yes("outward") + ", self-intersecting " + yes("self_intersecting") +
          ", volume " +
-         (mesh.at("volume_m3").is_number() ? decimals(mesh.at("volume_m3").get<double>(), 1) : "-") + " m3\n";
+         (mesh.at("volume_m3").is_number() ? decimals(mesh.at("volume_m3").get<double>(), 1) : "-") +
+         " m3\n" + "quality: warp at most " + decimals(mesh.at("max_warp").get<double>(), 4) +
+         " of a panel's edge, aspect ratio at most " + decimals(mesh.at("max_bow_aspect").get<double>(), 1) +
+         " on the bow, " + decimals(mesh.at("max_aspect").get<double>(), 1) + " on the whole hull\n";
 }
 
 }  // namespace
