@@ -4,9 +4,15 @@
 
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
+#include "hullgen/family.h"
 #include "hullgen/mesh_check.h"
 
 namespace icebow {
+
+BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance) {
+  return {stem, entrance, buttock,
+          std::atan2(std::sin(waterline) * std::cos(buttock), std::cos(waterline) * std::sin(buttock))};
+}
 
 Hull make_hull(const BowParameters& bow) {
   Hull hull;
@@ -15,7 +21,7 @@ Hull make_hull(const BowParameters& bow) {
   if (!hull.feasibility.feasible) return hull;
 
   hull.mesh = bow_mesh(bow);
-  hull.measured = measure_angles(hull.mesh, bow.B);
+  hull.measured = measure_angles(hull.mesh, bow_beam(bow));
   hull.waterline_at_quarter_beam = std::atan(std::tan(hull.measured.flare) * std::tan(hull.measured.buttock));
   hull.flare_at_stem = std::atan(std::tan(hull.measured.waterline) / std::tan(hull.measured.stem));
 

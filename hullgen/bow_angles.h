@@ -10,7 +10,7 @@ namespace icebow {
 // From vertices of the bow patch alone: profile, design waterline and the buttock at B/4 are vertex rows of
 // the mesh. Each slope is that of the parabola through the three vertices nearest to P0 or P1, one-sided
 // where the surface has a crease or its curvature jumps. An angle that cannot be read, because the row is
-// missing, is NaN.
+// missing, is NaN. B is the beam of the bow.
 BowAngles measure_angles(const QuadMesh& mesh, double B);
 
 // Largest difference of two sets [rad]; NaN counts as infinite.

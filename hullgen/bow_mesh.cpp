@@ -8,24 +8,15 @@
 #include <cmath>
 #include <utility>
 
+#include "hullgen/bow_grid.h"
 #include "hullgen/bow_surface.h"
 #include "hullgen/spacing.h"
 
 namespace icebow {
 namespace {
 
-constexpr double growth = 0.15;           // of the wanted edge length per length away from the ice belt
-constexpr double coarsest_below = 3.0;    // times the panel size, on the bow below the ice belt
-constexpr double coarsest_above = 1.5;    // and above it, where the buttocks turn up
-constexpr double coarsest_aft = 8.0;      // times the panel size, towards the transom
-constexpr int coarsest_level = 3;         // the ring is halved at most this often
-constexpr double bilge_resolution = 5.0;  // cells per bilge radius
-
-// Heights of the rows, keel to deck, and etas of one side's columns, centreline to side. z = 0, the ends of
-// the ice belt and eta = B/4 are among them.
-struct BowGrid {
-  std::vector<double> z, eta;
-};
+constexpr double coarsest_aft = 8.0;  // times the panel size, towards the transom
+constexpr int coarsest_level = 3;     // the ring is halved at most this often
 
 struct Cell {
   int j, i;
@@ -41,6 +32,7 @@ class HullBuilder {
   int nz() const { return static_cast<int>(grid_.z.size()) - 1; }
   int front(Cell c) const { return (c.j + ny()) * (nz() + 1) + c.i; }
   Vec3 front_point(Cell c) const;
+  Vec3 tube_point(Cell c) const;  // where the ship's own beam begins: behind the reamers
   bool kept(Cell c, int level) const { return kept_column(c.j, level) && kept_row(c.i, level); }
   bool kept_column(int j, int level) const { return std::abs(j) == ny() || j % (1 << level) == 0; }
   bool kept_row(int i, int level) const {
@@ -51,6 +43,7 @@ class HullBuilder {
 
   void add(Patch patch, int a, int b, int c, int d);
   void add_bow();
+  void add_reamers();
   void add_tube();
   void join(const std::vector<int>& fore, const std::vector<int>& aft);
   void add_transom();
@@ -60,6 +53,7 @@ class HullBuilder {
   double L_, panel_;
   int bilge_rows_ = 0;        // rows up to here take part in the rounding of the bilge
   int level_ = 0;             // of thinning, at the current station
+  bool on_reamer_ = false;    // the current station is on the step
   std::vector<Cell> ring_;    // counter-clockwise seen from ahead
   std::vector<int> station_;  // point of each ring place at the current station, -1 where thinned out
   QuadMesh mesh_;
@@ -80,9 +74,19 @@ Vec3 HullBuilder::front_point(Cell c) const {
   return p;
 }
 
+// The step of a reamer faces aft at 45 deg; bottom and deck draw in with it.
+Vec3 HullBuilder::tube_point(Cell c) const {
+  Vec3 p = front_point(c);
+  if (bow_.reamer == 0.0) return p;
+  p.x() -= bow_.reamer;
+  p.y() *= 1.0 - bow_.reamer / bow_.half_breadth(p.z());
+  return p;
+}
+
 Patch HullBuilder::patch(Cell from, Cell to) const {
   if (from.i == 0 && to.i == 0) return Patch::bottom;
-  return from.i == nz() && to.i == nz() ? Patch::deck : Patch::side;
+  if (from.i == nz() && to.i == nz()) return Patch::deck;
+  return on_reamer_ ? Patch::reamer : Patch::side;
 }
 
 void HullBuilder::add(Patch patch, int a, int b, int c, int d) {
@@ -118,11 +122,27 @@ void HullBuilder::join(const std::vector<int>& fore, const std::vector<int>& aft
   }
 }
 
+void HullBuilder::add_reamers() {
+  if (bow_.reamer == 0.0) return;
+  on_reamer_ = true;
+  const int cells = std::max(1, static_cast<int>(std::lround(std::sqrt(2.0) * bow_.reamer / panel_)));
+  for (int k = 1; k <= cells; ++k) {
+    std::vector<int> next;
+    for (const Cell& c : ring_) {
+      next.push_back(static_cast<int>(mesh_.points.size()));
+      const Vec3 from = front_point(c);
+      mesh_.points.push_back(from + static_cast<double>(k) / cells * (tube_point(c) - from));
+    }
+    join(station_, next);
+    station_ = next;
+  }
+  on_reamer_ = false;
+}
+
 void HullBuilder::add_tube() {
-  for (const Cell& c : ring_) station_.push_back(front(c));
   // Stations by their share of the way from the bow's edge to the transom, measured along the side at the
   // waterline.
-  const double length = L_ - bow_.Lf;
+  const double length = L_ - bow_.Lf - bow_.reamer;
   const auto wanted = [&](double, double run) {
     return std::min(panel_ + 0.25 * run, coarsest_aft * panel_);
   };
@@ -135,7 +155,7 @@ void HullBuilder::add_tube() {
     for (const Cell& c : ring_) {
       next.push_back(kept(c, level_) ? static_cast<int>(mesh_.points.size()) : -1);
       if (next.back() < 0) continue;
-      Vec3 p = front_point(c);
+      Vec3 p = tube_point(c);
       p.x() += shares[k] * (-L_ - p.x());
       mesh_.points.push_back(p);
     }
@@ -157,7 +177,7 @@ void HullBuilder::add_transom() {
       int& point = id[front({j, i})];
       if (point >= 0) continue;
       point = static_cast<int>(mesh_.points.size());
-      const Vec3 p = front_point({j, i});
+      const Vec3 p = tube_point({j, i});
       mesh_.points.push_back(Vec3(-L_, p.y(), p.z()));
     }
   for (std::size_t c = 1; c < columns.size(); ++c)
@@ -169,34 +189,11 @@ void HullBuilder::add_transom() {
 
 QuadMesh HullBuilder::build() {
   add_bow();
+  for (const Cell& c : ring_) station_.push_back(front(c));
+  add_reamers();
   add_tube();
   add_transom();
   return std::move(mesh_);
-}
-
-void append(std::vector<double>& lines, const std::vector<double>& more) {
-  lines.insert(lines.end(), more.begin() + 1, more.end());
-}
-
-BowGrid bow_grid(const BowSurface& bow, double panel) {
-  // Rows follow the buttock at the side, which also takes in the bilge; columns follow the design waterline.
-  const Curve buttock = [&](double z) { return bow.point(bow.half_beam(), z); };
-  const Curve waterline = [&](double eta) { return bow.point(eta, 0.0); };
-  const CellLength belt = [&](double, double) { return panel; };
-  const CellLength outside = [&](double z, double length) {
-    const double cap = z > 0.0 ? coarsest_above : coarsest_below;
-    const double away = std::min(panel + growth * length, cap * panel);
-    return z < bow.bilge - bow.T ? std::min(away, bow.bilge / bilge_resolution) : away;
-  };
-  BowGrid grid;
-  grid.z = graded(buttock, -bow.belt_below, -bow.T, outside, 4);
-  std::reverse(grid.z.begin(), grid.z.end());
-  append(grid.z, graded(buttock, -bow.belt_below, 0.0, belt, 2));
-  append(grid.z, graded(buttock, 0.0, bow.belt_above, belt, 2));
-  append(grid.z, graded(buttock, bow.belt_above, bow.D - bow.T, outside, 3));
-  grid.eta = graded(waterline, 0.0, bow.yq, belt, 4);
-  append(grid.eta, graded(waterline, bow.yq, bow.half_beam(), belt, 4));
-  return grid;
 }
 
 }  // namespace
@@ -208,7 +205,7 @@ double panel_size(const BowParameters& bow) {
 QuadMesh bow_mesh(const BowParameters& bow) {
   const BowSurface surface = bow_surface(bow);
   const double panel = panel_size(bow);
-  const BowGrid grid = bow_grid(surface, panel);
+  const BowGrid grid = bow_grid(surface, panel, family_form(bow.family).graded_by_curvature);
   return HullBuilder(surface, grid, bow.L, panel).build();
 }
 

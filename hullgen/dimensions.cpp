@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "hullgen/family.h"
 #include "hullgen/text.h"
 
 namespace icebow {
@@ -40,7 +41,7 @@ std::string bad_panel(const BowParameters& bow) {
 }
 
 std::string bad_belt(const BowParameters& bow) {
-  const double below = belt_share * (bow.T - std::min(bow.T / 4.0, bow.B / 8.0));
+  const double below = belt_share * (bow.T - std::min(bow.T / 4.0, bow_beam(bow) / 8.0));
   const double above = belt_share * (bow.D - bow.T);
   if (bow.belt_below > below)
     return text(
@@ -56,6 +57,16 @@ std::string bad_belt(const BowParameters& bow) {
   return "";
 }
 
+std::string bad_feature(const BowParameters& bow) {
+  if (family_form(bow.family).reamers && !(std::isfinite(bow.reamer_step) && bow.reamer_step > 0.0))
+    return text("the reamer step is %g m: it must be positive, usually %g m (%g B)", bow.reamer_step,
+                usual_reamer_step * bow.B, usual_reamer_step);
+  if (family_form(bow.family).chines && !(bow.chine >= innermost_chine && bow.chine <= outermost_chine))
+    return text("the chine at %g of the half-beam is outside %g to %g: move it, usually to %g", bow.chine,
+                innermost_chine, outermost_chine, usual_chine);
+  return "";
+}
+
 }  // namespace
 
 std::string dimension_problem(const BowParameters& bow) {
@@ -63,21 +74,22 @@ std::string dimension_problem(const BowParameters& bow) {
   if (problem.empty() && bow.D <= bow.T)
     problem = text("depth D (%.2f m) must exceed the draught T (%.2f m): raise D or lower T", bow.D, bow.T);
   if (problem.empty()) problem = bad_panel(bow);
+  if (problem.empty()) problem = bad_feature(bow);
   if (problem.empty()) problem = bad_belt(bow);
   return problem;
 }
 
 AngleRange angle_range(const BowAngles& angles) {
   const double one = radians(1.0), right = radians(90.0);
-  struct Range {
+  struct Allowed {
     const char* name;
     double value, lower, upper;
   };
   AngleRange nearest{right, ""};
-  for (const Range& r : {Range{"stem", angles.stem, one, right - one},
-                         {"waterline", angles.waterline, one, right},
-                         {"buttock", angles.buttock, one, right - one},
-                         {"flare", angles.flare, one, right - one}}) {
+  for (const Allowed& r : {Allowed{"stem", angles.stem, one, right - one},
+                           {"waterline", angles.waterline, one, right},
+                           {"buttock", angles.buttock, one, right - one},
+                           {"flare", angles.flare, one, right - one}}) {
     if (!std::isfinite(r.value))
       return {-1.0, text("the %s angle is not a finite number: give it in degrees", r.name)};
     const double margin = std::min(r.value - r.lower, r.upper - r.value);

@@ -1,33 +1,32 @@
-// The margins g1 to g6 of docs/bows.md. Each is a closed form in the parameters, so each can say by how much
+// The margins g1 to g7 of docs/bows.md. Each is a closed form in the parameters, so each can say by how much
 // a parameter has to move.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/units.h"
+#include "hullgen/advice.h"
 #include "hullgen/bow_surface.h"
 #include "hullgen/dimensions.h"
+#include "hullgen/feature_margins.h"
 #include "hullgen/text.h"
 
 namespace icebow {
 namespace {
 
-double to_deg(double cotangent) {
-  return degrees(acot(cotangent));
-}
-// Rounded to the two printed decimals so that who follows the advice ends up on the feasible side.
-double at_least(double value) {
-  return std::ceil(value * 100.0) / 100.0;
-}
-double at_most(double value) {
-  return std::floor(value * 100.0) / 100.0;
-}
+constexpr double straight = 1e-9;  // relative difference of two cotangents that are meant to be the same
 
-// "; or raise the flare angle from 33.0 to at least 41.2 deg" where c1 <= largest can be had that way.
+// "flare angle from 33.0 to at least 41.2 deg", or the waterline angle at B/4 where that is what was given:
+// what makes c1 at most (raise) or at least (lower) the limit.
+std::string flare_at_limit(const BowParameters& bow, const BowSurface& b, double limit_c1, bool raise) {
+  const bool flare = bow.angles_at == AnglesAt::stem_and_quarter_beam;
+  const double now = flare ? degrees(bow.angles.flare) : to_deg(b.c1);
+  const double limit = to_deg(flare ? limit_c1 / b.c_buttock : limit_c1);
+  return text("%s angle from %.2f to at %s %.2f deg", flare ? "flare" : "waterline (B/4)", now,
+              raise ? "least" : "most", raise ? at_least(limit) : at_most(limit));
+}
 std::string or_more_flare(const BowParameters& bow, const BowSurface& b, double largest_c1) {
-  if (largest_c1 <= 0.0) return "";
-  return text(", or raise the flare angle from %.2f to at least %.2f deg", degrees(bow.angles.flare),
-              at_least(to_deg(largest_c1 / b.c_buttock)));
+  return largest_c1 <= 0.0 ? "" : ", or raise the " + flare_at_limit(bow, b, largest_c1, true);
 }
 
 std::string longer_bow(const BowParameters& bow, const BowSurface& b, double shortfall, double largest_c1) {
@@ -36,33 +35,53 @@ std::string longer_bow(const BowParameters& bow, const BowSurface& b, double sho
          or_more_flare(bow, b, largest_c1);
 }
 
+// g1 where side edges lead: w'(B/2) <= 0, so that at every station the edge lies below the middle.
+Margin leading_side_edge(const BowParameters& bow, const BowSurface& b) {
+  const double longest_bow = b.half_beam() / 4.0 * (b.c0 + 2.0 * b.c1);
+  Margin g{"g1", longest_bow - bow.Lf, true, ""};
+  if (g.value >= 0.0) {
+    g.sentence = text("the side edges lie %.2f m below the middle", (b.longest() - b.Lf) / b.c_buttock);
+    return g;
+  }
+  g.sentence = text(
+      "the side edges would lie above the middle, because the bow is too long for its angles: lower the bow "
+      "length Lf by %.2f m to at most %.2f m",
+      at_least(-g.value), at_most(longest_bow));
+  g.sentence += ", or lower the " +
+                flare_at_limit(bow, b, 0.5 * (4.0 * bow.Lf / b.half_beam() - b.c0), false) +
+                ", or choose the family thyssen_waas";
+  return g;
+}
+
 // g1: w'(B/2) >= 0 without fairing.
 Margin monotone_waterline(const BowParameters& bow, const BowSurface& b) {
-  Margin g{"g1", bow.Lf - bow.B / 8.0 * (b.c0 + 2.0 * b.c1), true, ""};
+  Margin g{"g1", bow.Lf - b.half_beam() / 4.0 * (b.c0 + 2.0 * b.c1), true, ""};
   g.sentence = g.value >= 0.0
                    ? "the design waterline widens all the way to the shoulder"
                    : "the design waterline would turn back before the shoulder, because the bow is too short "
                      "for its angles" +
-                         longer_bow(bow, b, -g.value, 0.5 * (8.0 * bow.Lf / bow.B - b.c0));
+                         longer_bow(bow, b, -g.value, 0.5 * (4.0 * bow.Lf / b.half_beam() - b.c0));
   return g;
 }
 
 // g2: w'' >= 0 aft of B/4 (first term) and before it (second term).
 Margin convex_waterline(const BowParameters& bow, const BowSurface& b) {
-  const double aft = bow.Lf - bow.B / 8.0 * (b.c0 + 3.0 * b.c1), fore = b.c1 - b.c0;
+  const double aft = bow.Lf - b.half_beam() / 4.0 * (b.c0 + 3.0 * b.c1);
+  double fore = b.c1 - b.c0;
+  if (std::abs(fore) < straight * b.c1) fore = 0.0;  // one waterline angle at both points, up to rounding
   Margin g{"g2", std::min(aft, fore), family_form(bow.family).convex_required, ""};
   if (g.value >= 0.0) {
     g.sentence = "the design waterline is convex";
   } else if (aft <= fore) {
     g.sentence = "the design waterline is hollow aft of B/4, because the bow is too short for its angles" +
-                 longer_bow(bow, b, -aft, (8.0 * bow.Lf / bow.B - b.c0) / 3.0);
+                 longer_bow(bow, b, -aft, (4.0 * bow.Lf / b.half_beam() - b.c0) / 3.0);
   } else {
     g.sentence = text(
         "the design waterline is hollow between stem and B/4, because it is blunter at B/4 (%.2f deg, from "
         "flare and buttock) than at the stem (%.2f deg): raise the waterline angle to at least %.2f deg, or "
-        "lower the flare angle from %.2f to at most %.2f deg",
-        to_deg(b.c1), degrees(bow.angles.waterline), at_least(to_deg(b.c1)), degrees(bow.angles.flare),
-        at_most(to_deg(b.c0 / b.c_buttock)));
+        "lower the ",
+        to_deg(b.c1), degrees(bow.angles.waterline), at_least(to_deg(b.c1)));
+    g.sentence += flare_at_limit(bow, b, b.c0, false);
   }
   return g;
 }
@@ -71,16 +90,16 @@ Margin convex_waterline(const BowParameters& bow, const BowSurface& b) {
 Margin monotone_at_every_depth(const BowParameters& bow, const BowSurface& b) {
   const double dc = b.c_buttock - b.c_stem;
   const double depth = b.fan_run(-bow.T), height = -b.fan_run(bow.D - bow.T);  // T*, H*
-  Margin g{"g3", b.c0 - 8.0 / bow.B * std::max(-dc * depth, dc * height), true, ""};
+  Margin g{"g3", b.c0 - 4.0 / b.half_beam() * std::max(-dc * depth, dc * height), true, ""};
   if (g.value >= 0.0) {
     g.sentence = "every waterline, from keel to deck, widens from the stem on";
     return g;
   }
   const bool below = dc < 0.0;
-  const double reach = below ? depth : height, change = bow.B * b.c0 / (8.0 * reach);
+  const double reach = below ? depth : height, change = b.half_beam() * b.c0 / (4.0 * reach);
   const double cotangent = b.c_buttock + (below ? change : -change);  // the stem's, at the limit
   const double stem = below ? at_least(to_deg(cotangent)) : at_most(to_deg(cotangent));
-  const double entrance = at_most(to_deg(8.0 / bow.B * reach * std::abs(dc)));
+  const double entrance = at_most(to_deg(4.0 / b.half_beam() * reach * std::abs(dc)));
   g.sentence = text(
       "waterlines %s the design waterline would turn back at the stem, because the stem (%.2f deg) is too "
       "%s beside the buttocks (%.2f deg): %s the stem angle to at %s %.2f deg, or lower the waterline angle "
@@ -92,9 +111,11 @@ Margin monotone_at_every_depth(const BowParameters& bow, const BowSurface& b) {
 }
 
 // g4: the part of w' aft of B/4 that fairing cannot help stays positive. By the choice of K it fails only
-// with g1.
-Margin monotone_fairing(const BowSurface& b) {
+// with g1, whose opposite side edges ask for.
+Margin monotone_fairing(const BowParameters& bow, const BowSurface& b) {
   const double value = b.c1 + b.e;
+  if (!family_form(bow.family).monotone)
+    return {"g4", value, false, "below 0 where the waterline comes forward to the side edge"};
   return {"g4", value, true,
           value >= 0.0 ? text("the shoulder fairing (K = %.3f) leaves the waterline monotone", b.K)
                        : "the shoulder would need more length than the bow has: see g1"};
@@ -102,15 +123,17 @@ Margin monotone_fairing(const BowSurface& b) {
 
 // g5: the underwater shell ends before midship.
 Margin length_for_the_shell(const BowParameters& bow, const BowSurface& b) {
-  const double needed = bow.Lf + bow.T * b.c_buttock + b.bilge, available = bow.L / 2.0;
+  const double keel = b.run(-bow.T), fixed = b.longest() + b.bilge + b.reamer;
+  const double needed = fixed + keel * b.c_buttock, available = bow.L / 2.0;
   Margin g{"g5", available - needed, true, ""};
   if (g.value >= 0.0) {
     g.sentence = text("the underwater shell needs %.2f m of the %.2f m forebody", needed, available);
     return g;
   }
-  const double cotangent = (available - bow.Lf - b.bilge) / bow.T;
+  const double cotangent = (available - fixed) / keel;
   g.sentence = text(
-      "the underwater shell (Lf + T cot(buttock) + bilge = %.2f m) does not fit the forebody (L/2 = %.2f m): "
+      "the underwater shell (%.2f m from stem to the end of the bilge) does not fit the forebody (L/2 = %.2f "
+      "m): "
       "raise L by %.2f m",
       needed, available, at_least(-2.0 * g.value));
   if (cotangent > 0.0)
@@ -126,6 +149,8 @@ std::vector<Margin> not_computed(const BowParameters& bow, const Margin& ranges)
   for (const char* name : {"g1", "g2", "g3", "g4", "g5"})
     margins.push_back({name, -1.0, name[1] != '2' || convex_required, "not computed: see g6"});
   margins.push_back(ranges);
+  const FamilyForm& form = family_form(bow.family);
+  if (form.reamers || form.chines) margins.push_back({"g7", -1.0, true, "not computed: see g6"});
   return margins;
 }
 
@@ -152,9 +177,15 @@ BowFeasibility check_feasibility(const BowParameters& bow) {
     result.margins = not_computed(bow, ranges);
   } else {
     const BowSurface b = bow_surface(bow);
-    result.margins = {monotone_waterline(bow, b),      convex_waterline(bow, b),
-                      monotone_at_every_depth(bow, b), monotone_fairing(b),
-                      length_for_the_shell(bow, b),    ranges};
+    const FamilyForm& form = family_form(bow.family);
+    result.margins = {form.monotone ? monotone_waterline(bow, b) : leading_side_edge(bow, b),
+                      convex_waterline(bow, b),
+                      monotone_at_every_depth(bow, b),
+                      monotone_fairing(bow, b),
+                      length_for_the_shell(bow, b),
+                      ranges};
+    if (form.reamers) result.margins.push_back(reamer_size(bow));
+    if (form.chines) result.margins.push_back(chine_crease(b));
   }
   result.feasible = std::all_of(result.margins.begin(), result.margins.end(),
                                 [](const Margin& g) { return !g.required || g.value >= 0.0; });

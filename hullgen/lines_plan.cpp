@@ -90,12 +90,12 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   if (hull.mesh.quads.empty()) return no_lines(hull, title);
   const ForeBody body = fore_body(hull, bow);
   const double scale = left_column / (body.window - body.tip);
-  const double deck = bow.D - bow.T, half = bow.B / 2.0;
+  const double deck = bow.D - bow.T, half = bow_beam(bow) / 2.0;
   const double profile_top = title_height + 2.0 * label_room;
   const double plan_top = profile_top + bow.D * scale + scale_room + 1.5 * label_room;
   const View profile{{left_margin + scale * body.window, profile_top + scale * deck}, scale};
   const View plan{{profile.origin.x, plan_top + scale * half}, scale};
-  const double body_scale = right_column / bow.B, right = left_margin + left_column + gap;
+  const double body_scale = right_column / bow_beam(bow), right = left_margin + left_column + gap;
   const View body_plan{{right + right_column / 2.0, profile_top + body_scale * deck}, body_scale};
   const double table_top = profile_top + bow.D * body_scale + label_room + 24.0;
   const double height = std::max(plan.origin.y + scale_room + 14.0, table_top + 7.0 * 21.0 + 20.0);

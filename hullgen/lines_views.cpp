@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "hullgen/family.h"
 #include "hullgen/mesh_slice.h"
 #include "hullgen/text.h"
 
@@ -137,7 +138,7 @@ ForeBody fore_body(const Hull& hull, const BowParameters& bow) {
       const Vec3& p = hull.mesh.points[corner];
       b.tip = std::min(b.tip, -p.x());
       b.end = std::max(b.end, -p.x());
-      const double away = std::hypot(p.y() - bow.B / 4.0, p.z());
+      const double away = std::hypot(p.y() - bow_beam(bow) / 4.0, p.z());
       if (away < nearest) nearest = away, b.s1 = -p.x();
     }
   }
@@ -161,7 +162,7 @@ void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
   }
   for (double share :
        {0.9996, 0.75, 0.5, 0.25, 0.0}) {  // of the half-beam; the first is the edge of the flat of side
-    const double y = share * b.bow.B / 2.0;
+    const double y = share * bow_beam(b.bow) / 2.0;
     const auto cut = slice(b.hull.mesh, 1, y);
     draw_cut(svg, view, cut, 0, 2, 1.0, {{0, -b.window}},
              share == 0.0  ? "outline"
@@ -179,7 +180,7 @@ void draw_profile(SvgCanvas& svg, const ForeBody& b, const View& view) {
 }
 
 void draw_half_breadth(SvgCanvas& svg, const ForeBody& b, const View& view) {
-  const double half = b.bow.B / 2.0, forward = -b.tip + 3.0;
+  const double half = bow_beam(b.bow) / 2.0, forward = -b.tip + 3.0;
   svg.line(view.at(-b.window, 0.0), view.at(forward, 0.0), "centre");
   draw_length_grid(svg, b, view, 0.0, half);
   for (double share : {0.25, 0.5, 0.75, 1.0}) {
@@ -213,7 +214,7 @@ void draw_half_breadth(SvgCanvas& svg, const ForeBody& b, const View& view) {
 }
 
 void draw_body_plan(SvgCanvas& svg, const ForeBody& b, const View& view) {
-  const double half = b.bow.B / 2.0, deck = b.bow.D - b.bow.T;
+  const double half = bow_beam(b.bow) / 2.0, deck = b.bow.D - b.bow.T;
   draw_height_grid(svg, b, view, -half, half);
   svg.line(view.at(0.0, -b.bow.T), view.at(0.0, deck), "centre");
   for (double share : {-0.75, -0.5, -0.25, 0.25, 0.5, 0.75})

@@ -100,6 +100,8 @@ MeshCheck check_mesh(const QuadMesh& mesh) {
     const Shape s = shape(mesh, q);
     check.max_warp = std::max(check.max_warp, s.warp);
     check.max_aspect = std::max(check.max_aspect, s.aspect);
+    if (mesh.patch[q] == Patch::bow || mesh.patch[q] == Patch::reamer)
+      check.max_bow_aspect = std::max(check.max_bow_aspect, s.aspect);
     ++(mesh.is_triangle(q) ? check.triangles : check.quads);
   }
   check.volume = enclosed_volume(mesh);

@@ -13,7 +13,8 @@ struct MeshCheck {
   bool outward = false;            // bounds a volume with outward orientation
   bool self_intersecting = false;  // tested on the triangulated mesh
   double max_warp = 0.0;  // largest distance of a quad's corner from its mean plane over its mean edge length
-  double max_aspect = 0.0;  // largest ratio of a quad's longest to its shortest edge
+  double max_aspect = 0.0;      // largest ratio of a quad's longest to its shortest edge
+  double max_bow_aspect = 0.0;  // the same among the patches bow and reamer, which break the ice
   int quads = 0, triangles = 0, points = 0;
   double volume = 0.0;  //!< [m^3]
 

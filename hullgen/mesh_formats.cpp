@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* frame =
     "lengths in metres; origin at the stem on the design waterline, x forward, y to port, z up";
-constexpr const char* patch_legend = "patch: 0 bow, 1 side, 2 bottom, 3 transom, 4 deck, 5 other";
+constexpr const char* patch_legend = "patch: 0 bow, 1 side, 2 bottom, 3 transom, 4 deck, 5 reamer, 6 other";
 constexpr const char* stl_frame =
     "icebow hull; metres; x forward, y to port, z up; origin: stem at waterline";
 static_assert(std::char_traits<char>::length(stl_frame) <= 80, "an STL header has 80 bytes");
@@ -55,7 +55,7 @@ void append_floats(std::string& out, const Vec3& v) {
 }  // namespace
 
 const char* patch_name(Patch patch) {
-  static constexpr const char* names[] = {"bow", "side", "bottom", "transom", "deck", "other"};
+  static constexpr const char* names[] = {"bow", "side", "bottom", "transom", "deck", "reamer", "other"};
   return names[static_cast<int>(patch)];
 }
 

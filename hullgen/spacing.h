@@ -16,4 +16,8 @@ using CellLength = std::function<double(double parameter, double length)>;
 // length. The curve may stand vertical over its parameter at either end.
 std::vector<double> graded(const Curve& curve, double u0, double u1, const CellLength& cell, int min_cells);
 
+// Radius of curvature [m] at u in [u0, u1], from differences over a thousandth of the range; infinite where
+// the curve is straight.
+double curvature_radius(const Curve& curve, double u0, double u1, double u);
+
 }  // namespace icebow

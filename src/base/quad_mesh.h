@@ -11,7 +11,7 @@
 namespace icebow {
 
 // Which part of the ship a quad belongs to.
-enum class Patch : std::uint8_t { bow, side, bottom, transom, deck, other };
+enum class Patch : std::uint8_t { bow, side, bottom, transom, deck, reamer, other };
 
 // Points in metres. A quad lists its corners counter-clockwise seen from outside (outward normal by the
 // right-hand rule); a triangle repeats its last corner (q[3] == q[2]). Hull frame: origin at the stem on the

@@ -25,9 +25,15 @@ void check_ending(const std::string& path) {
   throw InputError("--out " + path + ": the file must end in .obj, .stl, .ply, .vtp or .svg");
 }
 
-void write_hull(const std::string& path, const Hull& hull, const ChosenDesign& chosen) {
+// A drawing is named after the study, and after the design where it is not the study's own.
+std::string drawing_title(const StudySpec& spec, const ChosenDesign& chosen) {
+  return spec.name + (chosen.design.name == "baseline" ? "" : ": " + chosen.design.name);
+}
+
+void write_hull(const std::string& path, const Hull& hull, const BowParameters& bow,
+                const std::string& title) {
   if (has_ending(path, ".svg")) {
-    write_text_file(path, lines_plan_svg(hull, chosen.description.bow, chosen.design.name));
+    write_text_file(path, lines_plan_svg(hull, bow, title));
   } else {
     write_mesh(path, hull.mesh);
   }
@@ -65,7 +71,10 @@ std::string mesh_row(const Json& mesh) {
   return "mesh: " + mesh.at("quads").dump() + " quads, " + mesh.at("points").dump() + " points, closed " +
          yes("closed") + ", outward " + yes("outward") + ", self-intersecting " + yes("self_intersecting") +
          ", volume " +
-         (mesh.at("volume_m3").is_number() ? decimals(mesh.at("volume_m3").get<double>(), 1) : "-") + " m3\n";
+         (mesh.at("volume_m3").is_number() ? decimals(mesh.at("volume_m3").get<double>(), 1) : "-") +
+         " m3\n" + "quality: warp at most " + decimals(mesh.at("max_warp").get<double>(), 4) +
+         " of a panel's edge, aspect ratio at most " + decimals(mesh.at("max_bow_aspect").get<double>(), 1) +
+         " on the bow, " + decimals(mesh.at("max_aspect").get<double>(), 1) + " on the whole hull\n";
 }
 
 }  // namespace
@@ -73,12 +82,14 @@ std::string mesh_row(const Json& mesh) {
 int run_hull(const Communicator&, const Arguments& arguments) {
   const std::string path = arguments.value("--out");
   if (arguments.has("--out")) check_ending(path);
-  const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
+  const StudySpec spec = load_study(arguments);
+  const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
   const Hull hull = make_hull(bow);
   Json json = hull_json(hull, bow);
   json["design"] = chosen.design.name;
-  if (hull.status == HullStatus::ok && !path.empty()) write_hull(path, hull, chosen);
+  if (hull.status == HullStatus::ok && !path.empty())
+    write_hull(path, hull, bow, drawing_title(spec, chosen));
   if (arguments.has("--json")) {
     std::cout << json.dump(2) << "\n";
   } else {

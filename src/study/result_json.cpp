@@ -28,7 +28,9 @@ Json mesh_json(const QuadMesh& mesh) {
           {"outward", check.outward},
           {"self_intersecting", check.self_intersecting},
           {"volume_m3", number(check.volume)},
-          {"max_warp", number(check.max_warp)}};
+          {"max_warp", number(check.max_warp)},
+          {"max_aspect", number(check.max_aspect)},
+          {"max_bow_aspect", number(check.max_bow_aspect)}};
 }
 
 // The loads of a run, at the simulated scale (factor 1) or at full scale (factor lambda^3).

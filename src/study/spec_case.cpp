@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "hullgen/family.h"
 #include "study/spec_hints.h"
 
 namespace icebow {
@@ -40,15 +41,47 @@ double given_or(const Section& section, const std::string& key, double fallback)
   return section.has(key) ? section.number(key) : fallback;
 }
 
-BowParameters read_bow(const Section& s) {
+// Two protocols: docs/study_file.md, "Angles".
+void read_angles(Section& s, BowParameters& bow) {
+  const double stem = s.number("stem"), waterline = s.number("waterline"), buttock = s.number("buttock");
+  if (s.text("angles_at", "") != "quarter_beam") {
+    bow.angles = {stem, waterline, buttock, s.number("flare")};
+    s.require("flare",
+              "(flare angle, from the vertical, at B/4 on the design waterline); add it, or give the "
+              "waterline angle at B/4 and \"angles_at\": \"quarter_beam\"");
+    s.refuse("entrance",
+             "is the waterline angle once more: drop it, or give the waterline angle at B/4 and "
+             "\"angles_at\": \"quarter_beam\"");
+    return;
+  }
+  bow.angles_at = AnglesAt::quarter_beam;
+  bow.angles = angles_at_quarter_beam(stem, waterline, buttock, given_or(s, "entrance", waterline));
+  s.refuse("flare",
+           "follows from waterline and buttock angle where \"angles_at\" is \"quarter_beam\": drop it, or "
+           "that");
+}
+
+// What only one family has.
+void read_features(Section& s, BowParameters& bow) {
+  const FamilyForm& form = family_form(bow.family);
+  if (form.reamers) bow.reamer_step = given_or(s, "reamer_step", usual_reamer_step * bow.B);
+  if (form.chines) bow.chine = given_or(s, "chine", usual_chine);
+  const std::string other = std::string("is not known to the family ") + form.key + ": drop it, or choose ";
+  if (s.text("family", "").empty()) return;  // a mistake that is noted already
+  if (!form.reamers) s.refuse("reamer_step", other + "spoon_reamers");
+  if (!form.chines) s.refuse("chine", other + "semi_spoon_chines");
+}
+
+BowParameters read_bow(Section& s) {
   BowParameters bow;
-  if (s.text("family", "") == "thyssen_waas") bow.family = BowFamily::thyssen_waas;
-  bow.angles = {s.number("stem"), s.number("waterline"), s.number("buttock"), s.number("flare")};
+  bow.family = family_of_key(s.text("family", ""));
+  read_angles(s, bow);
   bow.L = s.number("length");
   bow.B = s.number("beam");
   bow.T = s.number("draft");
   bow.D = s.number("depth");
   bow.Lf = s.number("bow_length");
+  read_features(s, bow);
   bow.panel = given_or(s, "panel", 0.0);
   // The default belt of a ship would reach through the bottom and the deck of a boat.
   bow.belt_below = given_or(s, "belt_below", std::min(s.number("belt_below"), 0.5 * bow.T));
@@ -128,9 +161,9 @@ void check_ship(const Case& c, const Sections& s, Mistakes& m) {
 }
 
 void check_run(const Case& c, const Sections& s, Mistakes& m) {
-  if (c.sheet.width <= c.bow.B) {
+  if (c.sheet.width <= bow_beam(c.bow)) {
     m.push_back({s.sheet.pointer("width"), "is " + metres(c.sheet.width) + ", not wider than the beam of " +
-                                               metres(c.bow.B) + "; 3.5 beams is usual"});
+                                               metres(bow_beam(c.bow)) + "; 3.5 beams is usual"});
   }
   if (c.sheet.window_ahead > 0.0 && c.sheet.length < c.sheet.window_ahead + c.bow.Lf) {
     m.push_back({s.sheet.pointer("length"),
@@ -168,7 +201,7 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
 Case parse_case(const Json& document, Mistakes& mistakes) {
   Case c;
   c.lambda = lambda_of(document, mistakes);
-  const Sections s(document, c.lambda, mistakes);
+  Sections s(document, c.lambda, mistakes);
   c.bow = read_bow(s.bow);
   read_ice(s.ice, c);
   c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
@@ -218,7 +251,7 @@ Scenario model_scenario(const Case& full) {
 LindqvistInputs lindqvist_inputs(const Case& full) {
   LindqvistInputs in;
   in.L = full.bow.L;
-  in.B = full.bow.B;
+  in.B = bow_beam(full.bow);  // with reamers, the beam of the channel
   in.T = full.bow.T;
   in.stem = full.bow.angles.stem;
   in.waterline = full.bow.angles.waterline;

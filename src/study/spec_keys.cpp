@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "hullgen/family.h"
 #include "study/spec_hints.h"
 
 namespace icebow {
@@ -22,16 +23,20 @@ const std::vector<Key> table = {
   {"", "scale", Quantity::number, 1, 1000, false, 25, "25", "lambda: full scale / simulated model; 1 simulates at full scale", {}},
   {"", "include_baseline", Quantity::boolean, 0, 0, false, 1, "true", "evaluate the file's own design, named \"baseline\", first", {}},
 
-  {"bow", "family", Quantity::choice, 0, 0, true, none, "", "which form the bow has", {"straight_parallel_buttocks", "thyssen_waas"}},
+  {"bow", "family", Quantity::choice, 0, 0, true, none, "", "which form the bow has", family_keys()},
   {"bow", "length", Quantity::length, 0.5, 600, true, none, "", "length between perpendiculars L", {}},
   {"bow", "beam", Quantity::length, 0.05, 120, true, none, "", "moulded beam B", {}},
   {"bow", "draft", Quantity::length, 0.02, 50, true, none, "", "draught T to the design waterline", {}},
   {"bow", "depth", Quantity::length, 0.03, 80, true, none, "", "moulded depth D, keel to deck", {}},
   {"bow", "bow_length", Quantity::length, 0.01, 300, true, none, "", "length of the bow along the design waterline, stem to full beam", {}},
+  {"bow", "angles_at", Quantity::choice, 0, 0, false, none, "stem_and_quarter_beam", "where the waterline angle is given: at the stem, with the flare at B/4, or at B/4 like the buttock angle, from which the flare follows", {"stem_and_quarter_beam", "quarter_beam"}},
   {"bow", "stem", Quantity::angle, 5, 85, true, none, "", "stem angle, from the horizontal, at the centre plane on the design waterline", {}},
-  {"bow", "waterline", Quantity::angle, 5, 90, true, none, "", "waterline entrance angle, from the centre plane, at the stem", {}},
+  {"bow", "waterline", Quantity::angle, 5, 90, true, none, "", "waterline angle, from the centre plane, at the stem (entrance angle), or where angles_at says", {}},
+  {"bow", "entrance", Quantity::angle, 5, 90, false, none, "the waterline angle: straight from stem to B/4", "waterline angle at the stem; only with angles_at quarter_beam", {}},
   {"bow", "buttock", Quantity::angle, 5, 85, true, none, "", "buttock angle, from the horizontal, at B/4 on the design waterline", {}},
-  {"bow", "flare", Quantity::angle, 1, 89, true, none, "", "flare angle, from the vertical, at B/4 on the design waterline", {}},
+  {"bow", "flare", Quantity::angle, 1, 89, false, none, "none: required unless angles_at is quarter_beam", "flare angle, from the vertical, at B/4 on the design waterline", {}},
+  {"bow", "reamer_step", Quantity::length, 0.0005, 12, false, none, "0.03 B", "the bow is wider than the beam by this on either side; only spoon_reamers", {}},
+  {"bow", "chine", Quantity::number, innermost_chine, outermost_chine, false, none, "0.8", "where the crease runs, as a share of the half-beam; only semi_spoon_chines", {}},
   {"bow", "panel", Quantity::length, 0.0005, 20, false, none, "B/60", "wanted edge length of a hull panel in the ice belt", {}},
   {"bow", "belt_below", Quantity::length, 0.001, 30, false, 1.5, "1.5 m full scale", "the ice belt reaches this far below the design waterline", {}},
   {"bow", "belt_above", Quantity::length, 0.001, 30, false, 1.0, "1.0 m full scale", "the ice belt reaches this far above the design waterline", {}},

@@ -58,6 +58,7 @@ Section::Section(const Json& document, const std::string& name, double lambda, M
     mistake("/" + name, "is " + type_name(object) + ", must be an object {\"key\": value, ...}");
     return;
   }
+  readable_ = true;
   if (section_has_scale(name)) read_scale(object, lambda);
   for (const auto& [spelling, value] : object.items()) read_entry(spelling, value, extra);
   require_all();
@@ -152,11 +153,22 @@ std::string Section::checked_text(const Key& key, const Json& value, const std::
   return "";
 }
 
+// A misspelt key is one mistake, not two.
+bool Section::misspelt(const std::string& key) const {
+  return std::find(meant_.begin(), meant_.end(), key) != meant_.end();
+}
+
+void Section::require(const std::string& key, const std::string& because) {
+  if (!readable_ || has(key) || misspelt(key)) return;
+  mistake(pointer(key), "is missing " + because);
+}
+void Section::refuse(const std::string& key, const std::string& because) {
+  if (has(key)) mistake(pointer(key), because);
+}
+
 void Section::require_all() {
   for (const Key* key : keys_of_section(name_)) {
-    // A misspelt key is one mistake, not two.
-    const bool misspelt = std::find(meant_.begin(), meant_.end(), key->name) != meant_.end();
-    if (!key->required || has(key->name) || misspelt) continue;
+    if (!key->required || has(key->name) || misspelt(key->name)) continue;
     const bool ranged = is_numeric(key->quantity);
     mistake(pointer(key->name),
             std::string("is missing (") + key->meaning + "); add it, allowed " +

@@ -33,6 +33,10 @@ class Section {
   std::string text(const std::string& key, const std::string& fallback) const;
   // Of the key as it is spelled in the file, or in the table where it is not given.
   std::string pointer(const std::string& key) const;
+  // Notes a mistake where a key is missing that another one asks for, or given though another one forbids it:
+  // `because` says which, and what to do.
+  void require(const std::string& key, const std::string& because);
+  void refuse(const std::string& key, const std::string& because);
   // False where any value of the section was wrong or missing.
   bool good() const { return good_; }
 
@@ -48,12 +52,14 @@ class Section {
   double checked_number(const Spelling& found, const Json& value, const std::string& at);
   std::string checked_text(const Key& key, const Json& value, const std::string& at);
   void require_all();
+  bool misspelt(const std::string& key) const;
   void mistake(const std::string& at, const std::string& message);
 
   std::string name_;
   Mistakes* mistakes_;
   double lambda_ = 1.0;  // of this section: 1 where its values are full scale
   bool good_ = true;
+  bool readable_ = false;                 // the section is an object, or absent
   std::map<std::string, Entry> entries_;  // by the table's name
   std::vector<std::string> meant_;        // names an unknown key probably stands for
 };

@@ -19,6 +19,11 @@ NAME = "^[A-Za-z0-9\u0080-\U0010ffff][A-Za-z0-9 ._+()\u0080-\U0010ffff-]*$"
 RESERVED = "^(baseline|d[0-9]+)$"
 EXCLUSIVE = {"ice": [("fracture_toughness", "critical_stretch")],
              "solver": [("spacing", "layers"), ("time_step", "time_step_fraction")]}
+# Where a key has one of these values, which others must be given and which must not; "else": where it has not.
+CONDITIONS = {"bow": [
+    {"key": "angles_at", "is": "quarter_beam", "then": ([], ["flare"]), "else": (["flare"], ["entrance"])},
+    {"key": "family", "is": "spoon_reamers", "then": ([], []), "else": ([], ["reamer_step"])},
+    {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}]}
 SECTIONS = ["bow", "ice", "water", "sheet", "operation", "solver", "output", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
@@ -64,10 +69,19 @@ def once(key):
     return [{"not": {"required": [a, b]}} for i, a in enumerate(names) for b in names[i + 1:]]
 
 
+def condition(mine, rule):
+    def branch(required, forbidden):
+        return {"allOf": [any_of(mine[k]) for k in required] + [{"not": any_of(mine[k])} for k in forbidden]}
+    test = {"properties": {rule["key"]: {"const": rule["is"]}}, "required": [rule["key"]]}
+    branches = {word: branch(*rule[word]) for word in ("then", "else") if any(rule[word])}
+    return {"if": test, **branches}
+
+
 def section_schema(keys, section):
     mine = {k["name"]: k for k in keys if k["section"] == section}
     rules = [rule for k in mine.values() for rule in once(k)]
     rules += [{"not": {"allOf": [any_of(mine[a]), any_of(mine[b])]}} for a, b in EXCLUSIVE.get(section, [])]
+    rules += [condition(mine, rule) for rule in CONDITIONS.get(section, [])]
     schema = {"type": "object", "additionalProperties": False, "properties": properties(keys, section)}
     return {**schema, "allOf": rules} if rules else schema
 

@@ -148,7 +148,8 @@ TEST_CASE(
   if (test_world().size() > 1) return;
   const QuadMesh hull = sloping_box(0.1, 0.2, 0.08, 0.15, 1.2);
   Scenario s = tiny(1.6, 0.48);
-  s.ice.s0 = 0.049;  // too tough to break much
+  s.numerics.linear_below = 0.0;  // blocks beside the plane are never linear: 1e-4 of difference
+  s.ice.s0 = 0.049;               // too tough to break much
   s.sheet.window_ahead = 1.15;
   s.V = 1.0;
   const RunResult whole = simulate(Communicator::serial(), hull, s, {});

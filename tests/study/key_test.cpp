@@ -35,6 +35,8 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { bit(c.bow.panel); },
       [&](Case& c) { bit(c.bow.belt_below); },
       [&](Case& c) { bit(c.bow.belt_above); },
+      [&](Case& c) { bit(c.bow.reamer_step); },
+      [&](Case& c) { bit(c.bow.chine); },
       [&](Case& c) { bit(c.ice.h); },
       [&](Case& c) { bit(c.ice.rho); },
       [&](Case& c) { bit(c.ice.E); },

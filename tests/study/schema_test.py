@@ -45,7 +45,7 @@ class SchemaTest(unittest.TestCase):
         self.assertGreaterEqual(len(json_files(FILES / "bad")), 25)
 
     def test_both_accept_good_files(self):
-        files = json_files(FILES / "good") + json_files(ROOT / "studies")
+        files = json_files(FILES / "good") + json_files(ROOT / "studies") + json_files(ROOT / "studies/families")
         said = reader(files)
         for path in files:
             with self.subTest(path.name):

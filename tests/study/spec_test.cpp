@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/units.h"
+#include "hullgen/family.h"
 #include "study/spec_hints.h"
 #include "study/spec_keys.h"
 #include "study/spec_method.h"
@@ -72,6 +73,65 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(spec.rank_by == "mean_load");
   CHECK(spec.method.type == MethodType::list);
   CHECK(spec.include_baseline);
+}
+
+TEST_CASE("the shipped study of every family is its preset") {
+  for (const BowFamily family : all_families()) {
+    const std::string file = std::string(STUDIES) + "/families/" + family_form(family).key + ".json";
+    const BowParameters bow = read_study(file).baseline.bow, preset = preset_bow(family);
+    CAPTURE(file);
+    CHECK(bow.family == family);
+    check_ulps(bow.angles.stem, preset.angles.stem);
+    check_ulps(bow.angles.waterline, preset.angles.waterline);
+    check_ulps(bow.angles.buttock, preset.angles.buttock);
+    check_ulps(bow.angles.flare, preset.angles.flare);
+    CHECK(bow.L == preset.L);
+    CHECK(bow.B == preset.B);
+    CHECK(bow.T == preset.T);
+    CHECK(bow.D == preset.D);
+    CHECK(bow.Lf == preset.Lf);
+    check_ulps(bow.reamer_step, preset.reamer_step);
+    CHECK(bow.chine == preset.chine);
+  }
+}
+
+TEST_CASE("reamers and chines have defaults, and belong to their families") {
+  const auto bow = [](const std::string& patch) {
+    return read_case(with(R"({"bow": )" + patch + "}"), "t.json").bow;
+  };
+  CHECK(bow(R"({"family": "spoon_reamers"})").reamer_step == Approx(0.03 * 23));
+  CHECK(bow(R"({"family": "spoon_reamers", "reamer_step_cm": 50})").reamer_step == Approx(0.5));
+  CHECK(bow(R"({"family": "semi_spoon_chines"})").chine == 0.8);
+  CHECK(bow(R"({"family": "flat"})").reamer_step == 0.0);
+  const Mistake m = only_mistake(with(R"({"bow": {"family": "flat", "reamer_step_m": 0.5}})"));
+  CHECK(m.pointer == "/bow/reamer_step_m");
+  CHECK(m.message.find("choose spoon_reamers") != std::string::npos);
+  CHECK(only_mistake(with(R"({"bow": {"family": "spoon", "reamer_step_m": 0.5}})")).pointer == "/bow/family");
+}
+
+TEST_CASE("the formula's beam is that of the channel, reamers included") {
+  const Case c = read_case(with(R"({"bow": {"family": "spoon_reamers", "reamer_step_m": 0.5}})"), "t.json");
+  CHECK(lindqvist_inputs(c).B == Approx(24.0));
+  CHECK(only_mistake(
+            with(R"({"bow": {"family": "spoon_reamers", "reamer_step_m": 1}, "sheet": {"width_m": 24}})"))
+            .pointer == "/sheet/width_m");
+}
+
+TEST_CASE("angles given at B/4: the flare is derived, the entrance is the same unless given") {
+  const auto angles = [](const std::string& more) {
+    return read_case(with(R"({"bow": {"angles_at": "quarter_beam", "waterline_deg": 20, "flare_deg": null)" +
+                          more + "}}"),
+                     "t.json")
+        .bow.angles;
+  };
+  const BowAngles straight = angles(""), curved = angles(R"(, "entrance_deg": 24)");
+  CHECK(degrees(straight.waterline) == Approx(20));
+  CHECK(degrees(curved.waterline) == Approx(24));
+  CHECK(curved.flare == straight.flare);
+  CHECK(std::tan(straight.flare) * std::tan(straight.buttock) == Approx(std::tan(20 * pi / 180)));
+  CHECK(only_mistake(with(R"({"bow": {"flare_deg": null}})")).pointer == "/bow/flare_deg");
+  CHECK(only_mistake(with(R"({"bow": {"angles_at": "quarter_beam"}})")).pointer == "/bow/flare_deg");
+  CHECK(only_mistake(with(R"({"bow": {"entrance_deg": 24}})")).pointer == "/bow/entrance_deg");
 }
 
 TEST_CASE("values given at model scale come back to the solver as they were given") {
