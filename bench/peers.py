@@ -49,12 +49,13 @@ pair_coeff * * {K} {G} {cutoff} {s0} 0.0
 region free block INF INF {held} {free_end} INF INF
 group mobile region free
 velocity all set 0 0 0
-variable vz atom 1e-3*sin(3*x)*cos(2*(y-{y_middle}))
-velocity mobile set 0 0 v_vz units box
 fix motion mobile nve
 timestep {dt}
 thermo 1000000
+# At rest: peri/lps knows its bonds' critical stretch only after a first step, and would break bonds in it.
 run 1
+variable vz atom 1e-3*sin(3*x)*cos(2*(y-{y_middle}))
+velocity mobile set 0 0 v_vz units box
 """
 
 
