@@ -64,9 +64,15 @@ std::string profile_table(const Json& profile) {
   return text_table(rows);
 }
 
+std::string linear_share_line(const Json& simulation) {
+  if (!simulation.contains("linear_share")) return "";
+  return decimals(100.0 * simulation.at("linear_share").get<double>(), 0) +
+         " % of the ice followed the linear law\n";
+}
+
 int report(const Evaluation& e, const Arguments& arguments) {
   if (arguments.has("--profile") && e.result.contains("profile") && e.result.at("profile").is_array())
-    std::cerr << profile_table(e.result.at("profile"));
+    std::cerr << profile_table(e.result.at("profile")) << linear_share_line(e.result.at("simulation"));
   if (e.status == EvaluationStatus::running) {
     std::cerr << "icebow simulate: interrupted; the same command continues the run\n";
     return exit_code::interrupted;

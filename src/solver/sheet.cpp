@@ -1,6 +1,7 @@
 #include "solver/sheet.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace icebow {
 namespace {
@@ -165,6 +166,10 @@ void IceSheet::select_column(Work<Real>& work, int jl) {
     work.fields.push_back(fields(work, jl, k));
     work.row_tables.push_back(work.tables.row(jl, k));
   }
+}
+
+void IceSheet::clear_dilatations() {
+  std::memset(theta.bytes(), 0, theta.element_size() * layout.size);
 }
 
 template <class Real>

@@ -68,6 +68,8 @@ class IceSheet {
   std::int64_t dilatation(int jl0, int jl1);
   void force(int jl0, int jl1);  // the bonds' part of the acceleration
 
+  void clear_dilatations();  // as the drift does
+
   // Whole passes.
   void drift(const DriftSettings& settings) { drift(settings, 0, layout.columns); }
   std::int64_t dilatation() { return dilatation(first_column(), layout.columns); }

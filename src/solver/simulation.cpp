@@ -180,6 +180,8 @@ class Loop {
         result_.status = RunStatus::failed;
         break;
       }
+      linear_sum_ += stepper.sheet().linear_share();
+      ++samples_;
       const auto sampled = Clock::now();
       snapshots.write_due(stepper, s_.V * stepper.time());
       stepper.timer().lap(Phase::output);
@@ -201,6 +203,7 @@ class Loop {
     stepper.timer().lap(Phase::other);
     result_.wall_seconds = seconds_since(start_);
     result_.profile = profile_of(comm_, stepper.timer());
+    result_.linear_share = mean_linear_share();
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
       snapshots.write_due(stepper, s_.advance);
@@ -216,6 +219,14 @@ class Loop {
  private:
   double ns_per_bond(std::int64_t steps, double seconds) const {
     return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
+  }
+
+  // Collective. Of this session's samples; ranks own nearly equal parts of the sheet.
+  double mean_linear_share() const {
+    double sums[2] = {linear_sum_, double(samples_)};
+    comm_.sum(sums, 2);
+    comm_.broadcast(sums, sizeof sums);
+    return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
   }
 
   // Collective: the root decides, so that ranks on unlike machines agree.
@@ -246,6 +257,8 @@ class Loop {
   const RunOptions& options_;
   RunResult& result_;
   Clock::time_point start_, last_report_;
+  double linear_sum_ = 0.0;
+  std::int64_t samples_ = 0;
 };
 
 }  // namespace

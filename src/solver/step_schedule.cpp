@@ -25,6 +25,20 @@ void StepSchedule::refresh() {
   mirror_displacements(sheet_);
 }
 
+std::int64_t StepSchedule::look_again() {
+  sheet_.clear_dilatations();
+  displacements_.start();
+  displacements_.send(Halo::south);
+  displacements_.send(Halo::north);
+  for (int c = 0; c < displacements_.chunks(); ++c) displacements_.send(Halo::chunk(c));
+  const std::int64_t broken = dilate();
+  dilatations_.wait(Halo::south);
+  dilatations_.wait(Halo::north);
+  for (int c = 0; c < dilatations_.chunks(); ++c) dilatations_.wait(Halo::chunk(c));
+  mirror_dilatations(sheet_);
+  return broken;
+}
+
 void StepSchedule::displace(const Move& move) {
   Halo& halo = displacements_;
   const int n = sheet_.layout.columns, low = std::min(reach, n), high = std::max(low, n - reach);

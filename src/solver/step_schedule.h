@@ -27,6 +27,9 @@ class StepSchedule {
   // Collective: the neighbours' displacements, after something other than a step has changed them.
   void refresh();
 
+  // Collective: dilatations once more, after bonds have gone without a step. Returns how many more broke.
+  std::int64_t look_again();
+
   std::size_t bytes_sent() const { return displacements_.bytes_sent() + dilatations_.bytes_sent(); }
 
  private:

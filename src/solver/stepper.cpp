@@ -113,7 +113,8 @@ void Stepper::move_window() {
   const EnergyCounts before = sheet_energy(sheet_, ledger_.model());
   std::vector<double> touches = comm_.gather_everywhere(ledger_.record(sheet_));
   sheet_.drop_first_block(comm_);
-  schedule_.refresh();
+  // The ice along the cut has lost bonds: its elastic energy is that of what is left.
+  broken_bonds_ += schedule_.look_again();
   ledger_.move_window(std::move(touches), sheet_);
   const EnergyCounts after = sheet_energy(sheet_, ledger_.model());
   dropped_.kinetic += before.kinetic - after.kinetic;

@@ -178,6 +178,7 @@ void DesignRun::take(const RunResult& run) {
                              {"nz", run.nz},
                              {"directed_bonds", run.directed_bonds},
                              {"ns_per_bond", run.ns_per_bond},
+                             {"linear_share", run.linear_share},
                              {"wall_s", run.wall_seconds},
                              {"output_s", run.output_seconds},
                              {"critical_stretch", run.s0},
