@@ -18,7 +18,8 @@ LinearBlocks<Real>::LinearBlocks(const Lattice& lattice, const Layout& layout, d
       linear_(std::size_t(columns_) * blocks_),
       skip_(std::size_t(columns_ + reach) * (blocks_ + 2)),
       all_(blocks_ + 2),
-      quiet_(blocks_ + 2) {
+      quiet_(blocks_ + 2),
+      calmed_(std::size_t(nz_) * (blocks_ + 2)) {
   for (int l = -ghost_blocks * block; l < (blocks_ + ghost_blocks) * block; ++l) {
     const int i = layout.i0 + l;
     has_next_.push_back(i >= 0 && i + 1 < lattice.nx ? Real(1) : Real(0));
@@ -57,7 +58,7 @@ void LinearBlocks<Real>::measure(const Ice& ice, int jl) {
 template <class Real>
 void LinearBlocks<Real>::look_for_touched(const Ice& ice, int jl) {
   std::uint8_t* const facts = &facts_[followed(jl, 0)];
-  const std::uint8_t* state = ice.states + std::size_t(jl + reach) * nz_ * (blocks_ + 2) + 1;
+  const std::uint8_t* state = states(ice, jl) + 1;
   for (int k = 0; k < nz_; ++k, state += blocks_ + 2) {
     for (int b = -1; b <= blocks_; ++b) {
       if (state[b] != touched) continue;
@@ -106,11 +107,19 @@ void LinearBlocks<Real>::settle_quiet(int jl) {
 }
 
 template <class Real>
-void LinearBlocks<Real>::calm_down(const Ice& ice, int jl) const {
-  std::uint8_t* state = ice.states + std::size_t(jl + reach) * nz_ * (blocks_ + 2);
-  for (int k = 0; k < nz_; ++k, state += blocks_ + 2)
-    for (std::size_t b = 0; b < quiet_.size(); ++b)
-      if (quiet_[b] && state[b] == intact) state[b] = calm;
+void LinearBlocks<Real>::calm_down(const Ice& ice, int jl) {
+  std::uint8_t* const state = states(ice, jl);
+  for (std::size_t n = 0; n < calmed_.size(); ++n) {
+    calmed_[n] = quiet_[n % quiet_.size()] && state[n] != touched;
+    if (calmed_[n]) state[n] = calm;
+  }
+}
+
+template <class Real>
+void LinearBlocks<Real>::keep_calm(const Ice& ice, int jl) const {
+  std::uint8_t* const state = states(ice, jl);
+  for (std::size_t n = 0; n < calmed_.size(); ++n)
+    if (calmed_[n]) state[n] = calm;
 }
 
 template <class Real>

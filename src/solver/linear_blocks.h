@@ -37,8 +37,9 @@ class LinearBlocks {
   // For the passes over bonds of column jl: settles skip(jl), is_linear of the columns up to jl + reach, and
   // makes quiet blocks calm. Columns upwards, from the lowest one that is followed.
   void settle(const Ice& ice, int jl);
-  // Of the column just settled: blocks that are quiet are calm, whatever a pass has made of them.
-  void calm_down(const Ice& ice, int jl) const;
+  // Of the column just settled: blocks that were calm as it was are still, whatever a pass has made of them;
+  // another rank may not have run it.
+  void keep_calm(const Ice& ice, int jl) const;
 
   bool is_linear(int jl, int b) const { return linear_[std::size_t(jl) * blocks_ + b]; }
   const std::uint8_t* skip(int jl) const { return &skip_[followed(jl, 0)]; }
@@ -53,6 +54,10 @@ class LinearBlocks {
   void look_for_touched(const Ice& ice, int jl);
   void decide(int jl);
   void settle_quiet(int jl);
+  void calm_down(const Ice& ice, int jl);
+  std::uint8_t* states(const Ice& ice, int jl) const {
+    return ice.states + std::size_t(jl + reach) * nz_ * (blocks_ + 2);
+  }
   void require(std::vector<std::uint8_t>& all, int jl, std::uint8_t facts) const;
 
   int blocks_, columns_, nz_, j0_, lowest_, ny_;  // lowest_: column of the sheet, mirror images included
@@ -63,6 +68,7 @@ class LinearBlocks {
   std::vector<std::uint8_t> linear_;       // own blocks
   std::vector<std::uint8_t> skip_;         // [column -reach .. columns - 1][block -1 .. blocks]
   std::vector<std::uint8_t> all_, quiet_;  // [block -1 .. blocks] of the column at hand
+  std::vector<std::uint8_t> calmed_;       // [layer][block -1 .. blocks] of it
 };
 
 }  // namespace icebow

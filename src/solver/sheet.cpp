@@ -210,7 +210,7 @@ std::int64_t IceSheet::dilate_column(Work<Real>& work, int jl) {
   select_column(work, jl);
   const int broken = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
                                                 work.law, layout.blocks);
-  if (linear) work.linear.calm_down(ice<Real>(), jl);
+  if (linear) work.linear.keep_calm(ice<Real>(), jl);
   linear_pass(work, Pass::theta, jl);
   if (jl >= 0) return lattice.copies() * broken;
   return at_symmetry_plane() ? broken : 0;
