@@ -22,14 +22,12 @@ struct WaterFrame {
       : origin(at.x_level, 0.0, at.level),
         forward(std::cos(at.trim), 0.0, -std::sin(at.trim)),
         up(std::sin(at.trim), 0.0, std::cos(at.trim)) {}
-  Vec3 local(const Vec3& p) const {
-    return {(p - origin).dot(forward), p.y(), (p - origin).dot(up)};
-  }
+  Vec3 local(const Vec3& p) const { return {(p - origin).dot(forward), p.y(), (p - origin).dot(up)}; }
   Vec3 hull(const Vec3& p) const { return origin + p.x() * forward + Vec3(0.0, p.y(), 0.0) + p.z() * up; }
 };
 
 struct Wetted {
-  std::vector<Triangle> triangles;  // in the water's frame
+  std::vector<Triangle> triangles;                                     // in the water's frame
   Vec3 lower = Vec3::Constant(1e300), upper = Vec3::Constant(-1e300);  // of the waterline, same frame
 
   void touch(const Vec3& p) {
@@ -69,11 +67,11 @@ Wetted wetted_hull(const QuadMesh& mesh, const WaterFrame& frame) {
 // Integrals over the wetted surface, n its outward normal. Every integrand is at most quadratic, for which
 // the rule of the three edge midpoints is exact.
 struct Moments {
-  double area = 0.0;            // of the surface
-  double volume = 0.0;          // z n_z: divergence 1, zero on the water surface, like the next
-  Vec3 first = Vec3::Zero();    // (x z, y z, z^2/2) n_z: divergence (x, y, z)
-  Vec3 plane = Vec3::Zero();    // (1, x, y) over the waterplane, which is what n_z dA projects to, turned over
-  Vec3 second = Vec3::Zero();   // (x^2, y^2, 0) over the waterplane
+  double area = 0.0;           // of the surface
+  double volume = 0.0;         // z n_z: divergence 1, zero on the water surface, like the next
+  Vec3 first = Vec3::Zero();   // (x z, y z, z^2/2) n_z: divergence (x, y, z)
+  Vec3 plane = Vec3::Zero();   // (1, x, y) over the waterplane, which is what n_z dA projects to, turned over
+  Vec3 second = Vec3::Zero();  // (x^2, y^2, 0) over the waterplane
 };
 
 Moments moments(const std::vector<Triangle>& wetted) {
@@ -100,7 +98,8 @@ double lowest(const QuadMesh& mesh) {
 [[noreturn]] void not_afloat(const QuadMesh& mesh, const Flotation& at) {
   const Box box = bounding_box(mesh);
   throw InputError(text(
-      "the water surface at z = %g m (x = %g m, trim %g deg) does not cut the hull, whose points are from z = "
+      "the water surface at z = %g m (x = %g m, trim %g deg) does not cut the hull, whose points are from z "
+      "= "
       "%g to %g m: give a draft above 0 and below %g m, or less trim",
       at.level, at.x_level, degrees(at.trim), box.lower.z(), box.upper.z(), box.upper.z() - box.lower.z()));
 }

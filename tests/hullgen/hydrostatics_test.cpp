@@ -42,7 +42,9 @@ QuadMesh ellipsoid(const Vec3& radii, int n) {
     const double a = pi * i / (2 * n) - pi / 2, b = 2 * pi * j / (4 * n);
     return Vec3(std::cos(a) * std::cos(b), std::cos(a) * std::sin(b), std::sin(a)).cwiseProduct(radii);
   };
-  const auto id = [&](int i, int j) { return i == 0 ? 0 : i == 2 * n ? 1 : 2 + (i - 1) * 4 * n + j % (4 * n); };
+  const auto id = [&](int i, int j) {
+    return i == 0 ? 0 : i == 2 * n ? 1 : 2 + (i - 1) * 4 * n + j % (4 * n);
+  };
   mesh.points = {Vec3(0, 0, -radii.z()), Vec3(0, 0, radii.z())};
   for (int i = 1; i < 2 * n; ++i)
     for (int j = 0; j < 4 * n; ++j) mesh.points.push_back(point(i, j));
