@@ -85,8 +85,8 @@ TEST_CASE("between the rows of vertices the angles are those of the surface at t
 TEST_CASE("unit, axes and waterline of a file") {
   const BowParameters bow = preset(BowFamily::concave, 20.0);
   QuadMesh mesh = bow_mesh(bow);
-  // In millimetres, keel at zero, y up and the bow towards -z.
-  for (Vec3& p : mesh.points) p = 1000.0 * Vec3(p.y(), p.z() + bow.T, -p.x()).eval();
+  // In millimetres, keel at zero, y up, the bow towards -z and so port towards -x.
+  for (Vec3& p : mesh.points) p = 1000.0 * Vec3(-p.y(), p.z() + bow.T, -p.x()).eval();
   MeshFrame frame;
   frame.unit = 0.001;
   frame.forward = -Vec3::UnitZ();
