@@ -3,7 +3,10 @@
 
 #include "base/errors.h"
 #include "base/units.h"
+#include "cli/bow_explanation.h"
 #include "cli/commands.h"
+#include "cli/hydrostatics_text.h"
+#include "cli/number_option.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "hullgen/lines_plan.h"
@@ -77,6 +80,16 @@ std::string mesh_row(const Json& mesh) {
          " on the bow, " + decimals(mesh.at("max_aspect").get<double>(), 1) + " on the whole hull\n";
 }
 
+// Before the hull is made, like check_ending. The draft is amidships, at L/2 from the stem.
+Flotation flotation(const Arguments& arguments, const BowParameters& bow) {
+  for (const char* option : {"--draft", "--trim"}) {
+    if (arguments.has(option) && !arguments.has("--hydrostatics"))
+      throw InputError(std::string(option) + " is for --hydrostatics: give that too");
+  }
+  const double draft = number_option(arguments, "--draft", bow.T, 1e-3 * bow.D, bow.D, "m (the depth)");
+  return {draft - bow.T, -bow.L / 2.0, radians(number_option(arguments, "--trim", 0.0, -45.0, 45.0, "deg"))};
+}
+
 }  // namespace
 
 int run_hull(const Communicator&, const Arguments& arguments) {
@@ -85,17 +98,28 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
+  const Flotation at = flotation(arguments, bow);
   const Hull hull = make_hull(bow);
   Json json = hull_json(hull, bow);
   json["design"] = chosen.design.name;
   if (hull.status == HullStatus::ok && !path.empty())
     write_hull(path, hull, bow, drawing_title(spec, chosen));
+  std::string more;
+  if (hull.status == HullStatus::ok && arguments.has("--hydrostatics")) {
+    const HydrostaticsReport report = hydrostatics_report(hull.mesh, at, chosen.description.water.rho);
+    json["hydrostatics"] = hydrostatics_json(report);
+    more += "\n" + hydrostatics_text(report);
+  }
+  if (arguments.has("--explain")) {
+    json["explanation"] = explanation_json(bow);
+    more += "\n" + explanation_text(bow);
+  }
   if (arguments.has("--json")) {
     std::cout << json.dump(2) << "\n";
   } else {
     std::cout << chosen.design.name << "\n\n"
               << angle_rows(bow.angles, hull) << "\n"
-              << margin_rows(hull.feasibility) << mesh_row(json.at("mesh"));
+              << margin_rows(hull.feasibility) << mesh_row(json.at("mesh")) << more;
   }
   if (hull.status == HullStatus::ok) return exit_code::ok;
   std::cerr << chosen.design.name << ": no hull: " << json.at("reason").get<std::string>() << "\n";

@@ -13,12 +13,10 @@ namespace {
 // angle lie the flat, spoon and Thyssen-Waas families, below the lower stem angle Thyssen-Waas again; above
 // the upper stem angle ice is crushed, not bent. A judgement, wide enough for straight, White and Melville
 // bows.
-constexpr double stem_lower = radians(15.0), stem_upper = radians(45.0);
-constexpr double waterline_lower = radians(10.0), waterline_upper = radians(45.0);
+constexpr LindqvistRange usual = {radians(15.0), radians(45.0), radians(10.0), radians(45.0)};
 
-// Angle between the normal of the bow plate and the vertical, (F1).
 double plate_slope(const LindqvistInputs& in) {
-  return std::atan(std::tan(in.stem) / std::sin(in.waterline));
+  return lindqvist_psi(in.stem, in.waterline);
 }
 
 // Denominator of (F2): zero where friction holds the ice on the stem.
@@ -70,9 +68,9 @@ std::string violated_guard(const LindqvistInputs& in) {
 }
 
 std::string caution_for(const LindqvistInputs& in) {
-  const std::string stem = outside_degrees({"stem", in.stem}, stem_lower, stem_upper);
+  const std::string stem = outside_degrees({"stem", in.stem}, usual.stem_lower, usual.stem_upper);
   const std::string waterline =
-      outside_degrees({"waterline", in.waterline}, waterline_lower, waterline_upper);
+      outside_degrees({"waterline", in.waterline}, usual.waterline_lower, usual.waterline_upper);
   if (stem.empty() && waterline.empty()) return "";
   return stem + (stem.empty() || waterline.empty() ? "" : ", ") + waterline +
          ": the formula is meant for sloping stems and was not validated for flat or Thyssen-Waas bows";
@@ -100,6 +98,14 @@ double submersion(const LindqvistInputs& in) {
 }
 
 }  // namespace
+
+double lindqvist_psi(double stem, double waterline) {
+  return std::atan(std::tan(stem) / std::sin(waterline));
+}
+
+LindqvistRange lindqvist_range() {
+  return usual;
+}
 
 LindqvistResult lindqvist(const LindqvistInputs& in) {
   LindqvistResult result;

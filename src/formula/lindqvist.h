@@ -35,6 +35,16 @@ struct LindqvistResult {
   double total = 0.0;       //!< breaking + R_S (1 + 9.4 V/sqrt(g L)) [N]
 };
 
+// psi, the angle between the normal of the bow plate and the vertical, (F1) of docs/formulas.md. All in
+// radians.
+double lindqvist_psi(double stem, double waterline);
+
+// Outside these [rad] a result carries a caution.
+struct LindqvistRange {
+  double stem_lower, stem_upper, waterline_lower, waterline_upper;
+};
+LindqvistRange lindqvist_range();
+
 LindqvistResult lindqvist(const LindqvistInputs& in);
 
 }  // namespace icebow

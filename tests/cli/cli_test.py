@@ -54,7 +54,7 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("check", "hull", "resistance", "simulate", "run", "rank", "report"):
+        for command in ("check", "hull", "measure", "resistance", "simulate", "run", "rank", "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
         self.assertEqual(text, self.expect(0).stdout)
@@ -146,6 +146,51 @@ class HullAndResistance(ProgramTest):
         result = self.expect(2, "hull", TINY, "--design", "Steep sten")
         self.assertIn('"Steep stem"', result.stderr)
         self.expect(2, "hull", TINY, "--design", "3")
+
+    def test_hydrostatics(self):
+        hull = json.loads(self.expect(0, "hull", TINY, "--json", "--hydrostatics").stdout)
+        water = hull["hydrostatics"]
+        self.assertAlmostEqual(water["draft_m"], 8)
+        self.assertAlmostEqual(water["length_m"], 147.2, delta=1e-6)
+        self.assertAlmostEqual(water["TCB_m"], 0, delta=1e-9)
+        self.assertLess(water["volume_m3"], hull["mesh"]["volume_m3"])
+        deeper = json.loads(self.expect(0, "hull", TINY, "--json", "--hydrostatics", "--draft", "9", "--trim=0.5").stdout)
+        self.assertAlmostEqual(deeper["hydrostatics"]["draft_m"], 9)
+        self.assertGreater(deeper["hydrostatics"]["volume_m3"], water["volume_m3"])
+        self.assertLess(deeper["hydrostatics"]["LCB_m"], water["LCB_m"])
+        self.assertIn("KM_T", self.expect(0, "hull", TINY, "--hydrostatics").stdout)
+        self.assertIn("13.5", self.expect(2, "hull", TINY, "--hydrostatics", "--draft", "20").stderr)
+        self.assertIn("--hydrostatics", self.expect(2, "hull", TINY, "--draft", "7").stderr)
+
+    def test_measure_our_own_hull(self):
+        for ending in (".obj", ".stl", ".ply"):
+            path = self.directory / f"hull{ending}"
+            hull = json.loads(self.expect(0, "hull", TINY, "--json", "--hydrostatics", "--out", path).stdout)
+            found = json.loads(self.expect(0, "measure", path, "--json", "--density", "1025").stdout)
+            for angle in ("stem", "waterline", "buttock", "flare"):
+                self.assertAlmostEqual(found["angles_deg"][angle], hull["requested_deg"][angle], delta=0.05)
+            self.assertAlmostEqual(found["dimensions"]["draft_m"], 8, delta=1e-5)
+            self.assertAlmostEqual(found["hydrostatics"]["volume_m3"] / hull["hydrostatics"]["volume_m3"], 1, delta=1e-6)
+        self.assertIn("P1", self.expect(0, "measure", path).stdout)
+        self.assertIn("mm", self.expect(2, "measure", path, "--unit", "yard").stderr)
+        self.assertIn("-z,y", self.expect(2, "measure", path, "--axes", "x,x").stderr)
+        self.assertIn("does not cut", self.expect(2, "measure", path, "--waterline", "100").stderr)
+        lines = (self.directory / "hull.obj").read_text().splitlines()
+        (self.directory / "open.obj").write_text("\n".join(lines[:-1]))
+        self.assertIn("not closed", self.expect(2, "measure", self.directory / "open.obj").stderr)
+
+    def test_explanation(self):
+        hull = json.loads(self.expect(0, "hull", TINY, "--json", "--explain").stdout)["explanation"]
+        # By hand: atan(tan 24.35 / sin 22), and at P1 tan(waterline) = tan 33 tan 28.
+        self.assertAlmostEqual(hull["lindqvist_psi_deg"]["P0"], 50.384, delta=0.001)
+        self.assertAlmostEqual(hull["fsicr_deg"]["alpha"], 19.05, delta=0.01)
+        self.assertAlmostEqual(hull["fsicr_deg"]["psi"], 58.46, delta=0.01)
+        self.assertAlmostEqual(hull["ur_i2_deg"]["P1"]["beta"], 33, delta=1e-9)
+        self.assertAlmostEqual(hull["ur_i2_deg"]["P1"]["beta_normal"], 31.54, delta=0.01)
+        verdicts = {(limit["whose"], limit["angle"]): limit["verdict"] for limit in hull["limits"]}
+        self.assertEqual(verdicts["usual for the family", "stem"], "inside")
+        self.assertIn("below by 0.65", verdicts["FSICR engine power", "phi_1"])
+        self.assertIn("normal frame angle", self.expect(0, "hull", TINY, "--explain").stdout)
 
     def test_hull_files(self):
         for ending, head in ((".obj", b""), (".stl", b""), (".ply", b"ply"), (".vtp", b"<"), (".svg", b"<")):

@@ -1,0 +1,76 @@
+#include "cli/hydrostatics_text.h"
+
+#include <algorithm>
+
+#include "base/units.h"
+#include "cli/text_table.h"
+
+namespace icebow {
+namespace {
+
+constexpr int stations = 21;  // ten to the half length, as on a lines plan
+
+}  // namespace
+
+HydrostaticsReport hydrostatics_report(const QuadMesh& mesh, const Flotation& at, double water_density) {
+  return {at, water_density, hydrostatics(mesh, at, water_density), sectional_areas(mesh, at, stations)};
+}
+
+std::string hydrostatics_text(const HydrostaticsReport& report) {
+  const Hydrostatics& h = report.values;
+  std::string text = text_table({
+      {"hydrostatics", "", ""},
+      {"draft amidships", decimals(h.draft, 3), "m"},
+      {"trim by the stern", decimals(degrees(report.at.trim), 3), "deg"},
+      {"length on the waterline", decimals(h.length, 3), "m"},
+      {"beam on the waterline", decimals(h.beam, 3), "m"},
+      {"volume", decimals(h.volume, 1), "m3"},
+      {"displacement, " + decimals(report.water_density, 0) + " kg/m3", decimals(h.displacement / 1e3, 1),
+       "t"},
+      {"LCB (x, from the origin)", decimals(h.buoyancy.x(), 3), "m"},
+      {"TCB (y)", decimals(h.buoyancy.y(), 3), "m"},
+      {"KB", decimals(h.KB, 3), "m"},
+      {"waterplane area", decimals(h.waterplane_area, 1), "m2"},
+      {"LCF (x, from the origin)", decimals(h.flotation.x(), 3), "m"},
+      {"second moment I_T", decimals(h.I_T, 0), "m4"},
+      {"second moment I_L", decimals(h.I_L, 0), "m4"},
+      {"wetted area", decimals(h.wetted_area, 1), "m2"},
+      {"block coefficient", decimals(h.block_coefficient, 4), ""},
+      {"waterplane coefficient", decimals(h.waterplane_coefficient, 4), ""},
+      {"BM_T", decimals(h.BM_T, 3), "m"},
+      {"BM_L", decimals(h.BM_L, 3), "m"},
+      {"KM_T", decimals(h.KM_T, 3), "m"},
+  });
+  std::vector<std::vector<std::string>> rows = {{"x, m", "section, m2"}};
+  for (const SectionArea& s : report.sections) rows.push_back({decimals(s.x, 2), decimals(s.area, 2)});
+  return text + "\nsectional areas, aft to fore\n" + text_table(rows);
+}
+
+Json hydrostatics_json(const HydrostaticsReport& report) {
+  const Hydrostatics& h = report.values;
+  Json sections = Json::array();
+  for (const SectionArea& s : report.sections) sections.push_back({{"x_m", s.x}, {"area_m2", s.area}});
+  return {{"draft_m", h.draft},
+          {"trim_deg", degrees(report.at.trim)},
+          {"water_density_kg_m3", report.water_density},
+          {"length_m", h.length},
+          {"beam_m", h.beam},
+          {"volume_m3", h.volume},
+          {"displacement_kg", h.displacement},
+          {"LCB_m", h.buoyancy.x()},
+          {"TCB_m", h.buoyancy.y()},
+          {"KB_m", h.KB},
+          {"waterplane_area_m2", h.waterplane_area},
+          {"LCF_m", h.flotation.x()},
+          {"I_T_m4", h.I_T},
+          {"I_L_m4", h.I_L},
+          {"wetted_area_m2", h.wetted_area},
+          {"block_coefficient", h.block_coefficient},
+          {"waterplane_coefficient", h.waterplane_coefficient},
+          {"BM_T_m", h.BM_T},
+          {"BM_L_m", h.BM_L},
+          {"KM_T_m", h.KM_T},
+          {"sections", std::move(sections)}};
+}
+
+}  // namespace icebow
