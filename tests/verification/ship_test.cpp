@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "../main.h"
+#include "ice_block.h"
 #include "solver/energy.h"
 #include "solver/stability.h"
 #include "solver/stepper.h"
-#include "still_ice.h"
+#include "solver/still_ice.h"
 #include "tiny_hull.h"
 
 using namespace icebow;

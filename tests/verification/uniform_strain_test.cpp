@@ -3,8 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "ice_block.h"
 #include "solver/energy.h"
-#include "still_ice.h"
+#include "solver/still_ice.h"
 
 using namespace icebow;
 
