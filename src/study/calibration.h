@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/communicator.h"
+#include "study/design_space.h"
 #include "study/study_spec.h"
 
 namespace icebow {
@@ -32,6 +33,10 @@ std::string calibration_directory();
 // Read from the directory, or found by the tests (seconds to minutes) and stored there. A directory that is
 // empty or cannot be written only means that the next call takes as long.
 LatticeNumbers lattice_numbers(const Scenario& scenario, const std::string& directory);
+
+// Those of every lattice that a study's plan simulates calibrated ice on: before the first design, lest
+// designs that run side by side each do the same tests. What goes wrong is the design's to say.
+void test_lattices(const StudyPlan& plan);
 
 // The ice with the modulus and critical stretch that measure as `ice.E` and `flexural_strength` [Pa]. Throws
 // InputError where the critical stretch would leave the range a study file allows.

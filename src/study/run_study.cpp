@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "base/errors.h"
 #include "study/calibration.h"
@@ -20,21 +19,6 @@ namespace icebow {
 namespace {
 
 struct Interrupted {};
-
-// Once, lest designs that run side by side each do the same tests. What goes wrong is the design's to say.
-void test_lattices(const StudyPlan& plan) {
-  std::set<std::string> tested;
-  for (const PlannedDesign& planned : plan.designs) {
-    if (!planned.mistake.empty() || !asks_for(planned.design.document, "peridynamics")) continue;
-    const Case c = read_case(planned.design.document, planned.design.name);
-    const Scenario s = model_scenario(c);
-    if (c.ice_model != IceModel::calibrated || !tested.insert(lattice_text(s)).second) continue;
-    try {
-      lattice_numbers(s, calibration_directory());
-    } catch (const std::exception&) {
-    }
-  }
-}
 
 // The loop of a study on the root rank. Sweeps and the optimiser go through evaluate_all() alike.
 class StudyLoop {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../main.h"
+#include "base/units.h"
 #include "ice_block.h"
 #include "solver/energy.h"
 #include "solver/stability.h"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "base/units.h"
 #include "ice_block.h"
 #include "solver/energy.h"
 #include "solver/still_ice.h"
