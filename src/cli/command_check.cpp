@@ -7,6 +7,7 @@
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "solver/simulation.h"
+#include "study/calibration.h"
 #include "study/spec_hints.h"
 #include "study/spec_method.h"
 
@@ -83,7 +84,7 @@ std::string operation_line(const Case& c) {
 std::string size_line(const Case& c) {
   const Hull hull = make_hull(c.bow);
   if (hull.status != HullStatus::ok) return "the file's own design has no hull: " + hull.reason + "\n";
-  const Scenario scenario = model_scenario(c);
+  const Scenario scenario = simulated_scenario(Communicator::serial(), c);
   const RunSize size = run_size(scaled(hull.mesh, 1.0 / c.lambda), scenario);
   const double particles = 1.0 * size.nx * size.ny * size.nz;
   return "one run: " + std::to_string(size.nx) + " x " + std::to_string(size.ny) + " x " +

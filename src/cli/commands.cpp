@@ -54,6 +54,17 @@ const std::vector<Command>& commands() {
        {set, design, json},
        false,
        run_resistance},
+      {"calibrate",
+       "STUDY",
+       "what an ice tank's tests would measure of a design's ice",
+       "Bends and crushes pieces of the study's own lattice. With ice.model \"calibrated\" their modulus and "
+       "flexural\n"
+       "strength are those of the file; otherwise they are what the file's modulus and toughness amount to. "
+       "Stresses are\n"
+       "at the scale of the section \"ice\".",
+       {set, design, json},
+       false,
+       run_calibrate},
       {"simulate",
        "STUDY",
        "one ship-ice run of one design",

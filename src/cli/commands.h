@@ -14,6 +14,7 @@ constexpr int ok = 0, failure = 1, bad_input = 2, some_designs_failed = 3, inter
 int run_check(const Communicator& comm, const Arguments& arguments);
 int run_hull(const Communicator& comm, const Arguments& arguments);
 int run_measure(const Communicator& comm, const Arguments& arguments);
+int run_calibrate(const Communicator& comm, const Arguments& arguments);
 int run_resistance(const Communicator& comm, const Arguments& arguments);
 int run_rank(const Communicator& comm, const Arguments& arguments);
 int run_report(const Communicator& comm, const Arguments& arguments);

@@ -9,6 +9,7 @@
 #include "hullgen/bow.h"
 #include "hullgen/lines_plan.h"
 #include "hullgen/mesh_io.h"
+#include "study/calibration.h"
 #include "study/history_csv.h"
 #include "study/provenance.h"
 #include "study/result_json.h"
@@ -83,6 +84,7 @@ class DesignRun {
   bool ended_ = false;  // infeasible, failed or interrupted: the rest is left out
   Case case_;
   Hull hull_;
+  double simulated_E_ = 0.0;  //!< model scale [Pa]
 };
 
 void DesignRun::evaluate() {
@@ -154,7 +156,9 @@ RunResult DesignRun::simulated() {
   std::string error;
   bool machine = false;
   try {
-    run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), model_scenario(case_), run_options);
+    const Scenario scenario = simulated_scenario(comm_, case_);
+    simulated_E_ = scenario.ice.E;
+    run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), scenario, run_options);
   } catch (const std::exception& e) {
     error = *e.what() ? e.what() : "an exception without a message";
     machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
@@ -181,6 +185,7 @@ void DesignRun::take(const RunResult& run) {
                              {"linear_share", run.linear_share},
                              {"wall_s", run.wall_seconds},
                              {"output_s", run.output_seconds},
+                             {"elastic_modulus_Pa", simulated_E_},
                              {"critical_stretch", run.s0},
                              {"lambda", case_.lambda}};
   e_.result["profile"] = profile_json(run);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "study/calibration.h"
 #include "study/design_files.h"
 #include "study/optimiser.h"
 #include "study/ranking.h"
@@ -79,6 +80,7 @@ void StudyLoop::run_plan(const StudyPlan& plan) {
   for (const PlannedDesign& planned : plan.designs) keys.push_back(planned.key);
   store_.begin_study(keys);
   observer_.on_planned(plan);
+  test_lattices(plan);
   evaluate_all(plan.designs);
 }
 

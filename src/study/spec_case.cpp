@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "hullgen/family.h"
+#include "solver/virtual_tests.h"
 #include "study/spec_hints.h"
 
 namespace icebow {
@@ -89,13 +90,28 @@ BowParameters read_bow(Section& s) {
   return bow;
 }
 
-void read_ice(const Section& s, Case& c) {
+// Brittle bonds have one strength: given by the toughness, the critical stretch, or the flexural strength.
+void read_fracture(Section& s, Case& c) {
+  if (s.text("model", "paper") != "calibrated") {
+    c.ice.s0 = given_or(s, "critical_stretch", 0.0);
+    c.ice.K_I = s.has("critical_stretch") ? 0.0 : s.number("fracture_toughness");
+    return;
+  }
+  c.ice_model = IceModel::calibrated;
+  for (const char* given : {"fracture_toughness", "critical_stretch"}) {
+    s.refuse(given,
+             "cannot be given where \"model\" is \"calibrated\": the critical stretch then follows from the "
+             "flexural strength, and the toughness with it. Drop it, or choose \"model\": \"paper\"");
+  }
+}
+
+void read_ice(Section& s, Case& c) {
   c.ice.h = s.number("thickness");
   c.ice.rho = s.number("density");
   c.ice.E = s.number("elastic_modulus");
   c.ice.nu = s.number("poisson");
-  c.ice.s0 = given_or(s, "critical_stretch", 0.0);
-  c.ice.K_I = s.has("critical_stretch") ? 0.0 : s.number("fracture_toughness");
+  read_fracture(s, c);
+  c.compressive_strength = given_or(s, "compressive_strength", 0.0);
   c.flexural_strength = s.number("flexural_strength");
   c.numerics.friction = s.number("friction");
 }
@@ -186,6 +202,14 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
   if (layers < 1.0 - 1e-9) {
     m.push_back({s.solver.pointer("spacing"), "is " + metres(c.numerics.dx) + ", coarser than the ice of " +
                                                   metres(c.ice.h) + ": less than one layer of particles"});
+  }
+  if (c.ice_model == IceModel::calibrated && (layers < 1.5 || layers >= most_tested_layers + 0.5)) {
+    m.push_back(
+        {s.solver.pointer(s.solver.has("spacing") ? "spacing" : "layers"),
+         "makes " + brief(std::round(layers)) + " layers: ice of the model \"calibrated\" has 2 to " +
+             std::to_string(most_tested_layers) +
+             ". A single layer cannot bend, and a beam of more takes long to break; change the layers "
+             "or choose \"model\": \"paper\""});
   }
   const double width = c.sheet.width / (c.sheet.half_model ? 2 : 1);
   const double particles = c.sheet.length * width * c.ice.h / std::pow(c.numerics.dx, 3);

@@ -13,12 +13,16 @@
 
 namespace icebow {
 
+enum class IceModel { paper, calibrated };  // docs/study_file.md, "Ice by its tests"
+
 // One fully described ship in one ice: what an evaluation needs, and nothing else.
 struct Case {
   double lambda = 1.0;  // full scale / simulated scale
   BowParameters bow;
   IceMaterial ice;
-  double flexural_strength = 0.0;  //!< for the formulas [Pa]
+  IceModel ice_model = IceModel::paper;  // calibrated: ice.E is to be measured, ice.s0 and ice.K_I are 0
+  double flexural_strength = 0.0;        //!< for the formulas, and to be measured [Pa]
+  double compressive_strength = 0.0;     //!< to compare with [Pa]; 0 = not given
   Water water;
   Sheet sheet;
   Numerics numerics;
@@ -30,7 +34,8 @@ struct Case {
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
 };
 
-// The same case as the solver wants it: model scale.
+// The same case as the solver wants it: model scale. Of calibrated ice the modulus is the one to be measured
+// and there is no critical stretch: see simulated_scenario() in study/calibration.h.
 Scenario model_scenario(const Case& full);
 LindqvistInputs lindqvist_inputs(const Case& full);
 

@@ -23,7 +23,9 @@ EXCLUSIVE = {"ice": [("fracture_toughness", "critical_stretch")],
 CONDITIONS = {"bow": [
     {"key": "angles_at", "is": "quarter_beam", "then": ([], ["flare"]), "else": (["flare"], ["entrance"])},
     {"key": "family", "is": "spoon_reamers", "then": ([], []), "else": ([], ["reamer_step"])},
-    {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}]}
+    {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}],
+    "ice": [{"key": "model", "is": "calibrated", "then": ([], ["fracture_toughness", "critical_stretch"]),
+             "else": ([], [])}]}
 SECTIONS = ["bow", "ice", "water", "sheet", "operation", "solver", "output", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}

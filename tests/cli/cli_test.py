@@ -20,6 +20,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 TINY = HERE / "tiny.json"
 FILES = HERE.parent / "study/files"
 STUDIES = HERE.parents[1] / "studies"
+CACHE = tempfile.TemporaryDirectory(prefix="icebow_cache_")
+os.environ["XDG_CACHE_HOME"] = CACHE.name
 INFEASIBLE = "/bow/bow_length_m=12"
 
 
@@ -54,7 +56,7 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("check", "hull", "measure", "resistance", "simulate", "run", "rank", "report"):
+        for command in ("check", "hull", "measure", "resistance", "calibrate", "simulate", "run", "rank", "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
         self.assertEqual(text, self.expect(0).stdout)
@@ -228,6 +230,55 @@ class HullAndResistance(ProgramTest):
         self.assertAlmostEqual(paper["breaking_N"] / paper["inputs"]["sigma_f_Pa"], 1.2943, delta=2e-4)
         self.assertAlmostEqual(paper["breaking_N"] / 1.1175e6, 1, delta=2e-3)
         self.assertIn("crushing", self.expect(0, "resistance", TINY).stdout)
+
+
+class Calibrate(ProgramTest):
+    ICE = ("--set", '/ice={"scale": "model", "thickness_m": 0.08, "model": "calibrated", "elastic_modulus_MPa": 35, '
+           '"flexural_strength_kPa": 35}')
+
+    def test_json_has_what_was_requested_and_measured(self):
+        said = json.loads(self.expect(0, "calibrate", TINY, *self.ICE, "--json").stdout)
+        requested, measured = said["requested"], said["measured"]
+        self.assertEqual(set(requested), set(measured))
+        self.assertEqual(said["scale"], "model")
+        self.assertAlmostEqual(requested["elastic_modulus_Pa"], 35e6, delta=1)
+        self.assertAlmostEqual(requested["flexural_strength_Pa"], 35e3, delta=1)
+        self.assertIsNone(requested["compressive_strength_Pa"])
+        for name in ("elastic_modulus_Pa", "flexural_strength_Pa"):
+            self.assertAlmostEqual(measured[name] / requested[name], 1, delta=0.03)
+        self.assertGreater(measured["compressive_strength_Pa"], measured["flexural_strength_Pa"])
+
+    def test_full_scale_ice_is_compared_at_full_scale(self):
+        words = ("calibrate", TINY, "--json", "--set", "/ice/model=calibrated", "--set",
+                 "/ice/compressive_strength_MPa=2")
+        said = json.loads(self.expect(0, *words).stdout)
+        self.assertEqual(said["scale"], "full")
+        self.assertAlmostEqual(said["requested"]["compressive_strength_Pa"], 2e6, delta=1)
+        self.assertAlmostEqual(said["requested"]["flexural_strength_Pa"], 5e5, delta=1)
+        self.assertAlmostEqual(said["measured"]["flexural_strength_Pa"] / 5e5, 1, delta=0.03)
+
+    def test_text_says_what_cannot_be_set(self):
+        text = self.expect(0, "calibrate", TINY, *self.ICE).stdout
+        for words in ("model scale", "flexural strength", "cannot be set", "in water it would be stiffer"):
+            self.assertIn(words, text)
+
+    def test_ice_as_given_is_measured_too(self):
+        said = json.loads(self.expect(0, "calibrate", TINY, "--json").stdout)
+        self.assertEqual(said["model"], "paper")
+        self.assertAlmostEqual(said["input"]["elastic_modulus_Pa"], 1.3e9, delta=10)
+        self.assertLess(said["measured"]["elastic_modulus_Pa"], 1.3e9)  # few layers bend too easily
+
+    def test_a_mistake_names_the_key_and_what_to_do(self):
+        result = self.expect(2, "calibrate", TINY, *self.ICE, "--set", "/ice/critical_stretch=0.005")
+        self.assertIn("/ice/critical_stretch", result.stderr)
+        self.assertIn("Drop it", result.stderr)
+
+    def test_a_run_simulates_what_was_found(self):
+        found = json.loads(self.expect(0, "calibrate", TINY, *self.ICE, "--json").stdout)["input"]
+        self.expect(0, "simulate", TINY, *self.ICE, "--out", self.directory, ranks=2)
+        simulation = json.loads((self.directory / "result.json").read_text())["simulation"]
+        self.assertAlmostEqual(simulation["elastic_modulus_Pa"] / found["elastic_modulus_Pa"], 1, places=12)
+        self.assertAlmostEqual(simulation["critical_stretch"] / found["critical_stretch"], 1, places=12)
 
 
 class Simulate(ProgramTest):

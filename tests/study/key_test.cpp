@@ -43,6 +43,7 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { bit(c.ice.nu); },
       [&](Case& c) { bit(c.ice.s0); },
       [&](Case& c) { bit(c.ice.K_I); },
+      [&](Case& c) { c.ice_model = IceModel::calibrated; },
       [&](Case& c) { bit(c.flexural_strength); },
       [&](Case& c) { bit(c.water.rho); },
       [&](Case& c) { c.water.buoyancy_and_gravity ^= true; },

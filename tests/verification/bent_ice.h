@@ -4,7 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "still_ice.h"
+#include "ice_block.h"
+#include "solver/still_ice.h"
 
 namespace icebow {
 

@@ -4,8 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "ice_block.h"
 #include "solver/energy.h"
-#include "tearing.h"
+#include "solver/tearing.h"
 
 using namespace icebow;
 

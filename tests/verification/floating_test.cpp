@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "ice_block.h"
 #include "motion.h"
-#include "still_ice.h"
+#include "solver/still_ice.h"
 
 using namespace icebow;
 

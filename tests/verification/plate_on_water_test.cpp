@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "base/units.h"
 #include "bent_ice.h"
 
 using namespace icebow;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "bent_ice.h"
-#include "tearing.h"
+#include "solver/tearing.h"
 
 using namespace icebow;
 

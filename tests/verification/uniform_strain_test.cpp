@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "base/units.h"
+#include "ice_block.h"
 #include "solver/energy.h"
-#include "still_ice.h"
+#include "solver/still_ice.h"
 
 using namespace icebow;
 

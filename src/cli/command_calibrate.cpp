@@ -1,0 +1,142 @@
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+#include "base/units.h"
+#include "cli/commands.h"
+#include "cli/study_choice.h"
+#include "cli/text_table.h"
+#include "solver/stencil.h"
+#include "solver/virtual_tests.h"
+#include "study/calibration.h"
+#include "study/spec_hints.h"
+
+namespace icebow {
+namespace {
+
+struct Properties {
+  double elastic_modulus, flexural_strength, compressive_strength;  // [Pa]; 0 = none
+};
+
+// Of one ice, at the scale of the study's section "ice".
+struct Comparison {
+  Case description;
+  Scenario simulated;  // at the scale that is simulated
+  Properties requested, measured;
+  int beam_breaks, prism_breaks;
+  double seconds;
+  std::string scale;  // "full", "model"
+  double lambda;      // that scale / simulated scale
+};
+
+Comparison compare(const ChosenDesign& chosen) {
+  const auto begin = std::chrono::steady_clock::now();
+  Comparison c;
+  c.description = chosen.description;
+  c.simulated = simulated_scenario(Communicator::serial(), c.description);
+  c.scale = chosen.design.document.at("ice").value("scale", "full");
+  c.lambda = c.scale == "model" ? 1.0 : c.description.lambda;
+  const BeamTest beam = virtual_beam_test(c.simulated);
+  const CompressionTest prism = virtual_compression_test(c.simulated);
+  const auto from_full = [&](double pascals) {
+    return to_model_scale(pascals, c.description.lambda / c.lambda, scaling::stress);
+  };
+  const auto from_model = [&](double pascals) { return to_full_scale(pascals, c.lambda, scaling::stress); };
+  c.requested = {from_full(c.description.ice.E), from_full(c.description.flexural_strength),
+                 from_full(c.description.compressive_strength)};
+  c.measured = {from_model(beam.elastic_modulus), from_model(beam.flexural_strength),
+                from_model(prism.compressive_strength)};
+  c.beam_breaks = beam.breaks;
+  c.prism_breaks = prism.breaks;
+  c.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return c;
+}
+
+double input_modulus(const Comparison& c) {
+  return to_full_scale(c.simulated.ice.E, c.lambda, scaling::stress);
+}
+
+double input_stretch(const Comparison& c) {
+  const Numerics& n = c.simulated.numerics;
+  return make_material(c.simulated.ice, n.dx, n.horizon_ratio).s0;
+}
+
+long layers(const Comparison& c) {
+  return std::lround(c.simulated.ice.h / c.simulated.numerics.dx);
+}
+
+double spacing(const Comparison& c) {
+  return to_full_scale(c.simulated.numerics.dx, c.lambda, scaling::length);
+}
+
+double buoyancy(const Comparison& c) {
+  const Scenario& s = c.simulated;
+  return buoyancy_share(to_model_scale(c.measured.elastic_modulus, c.lambda, scaling::stress),
+                        layers(c) * s.numerics.dx, s.water.rho);
+}
+
+const char* model_name(const Comparison& c) {
+  return c.description.ice_model == IceModel::calibrated ? "calibrated" : "paper";
+}
+
+Json properties_json(const Properties& p) {
+  Json json = {{"elastic_modulus_Pa", p.elastic_modulus}, {"flexural_strength_Pa", p.flexural_strength}};
+  json["compressive_strength_Pa"] =
+      p.compressive_strength > 0.0 ? Json(p.compressive_strength) : Json(nullptr);
+  return json;
+}
+
+Json to_json(const Comparison& c, const std::string& design) {
+  return {{"design", design},
+          {"model", model_name(c)},
+          {"scale", c.scale},
+          {"requested", properties_json(c.requested)},
+          {"measured", properties_json(c.measured)},
+          {"input", {{"elastic_modulus_Pa", input_modulus(c)}, {"critical_stretch", input_stretch(c)}}},
+          {"spacing_m", spacing(c)},
+          {"layers", layers(c)},
+          {"buoyancy_share_left_out", buoyancy(c)},
+          {"beam_breaks", c.beam_breaks},
+          {"prism_breaks", c.prism_breaks},
+          {"wall_s", c.seconds}};
+}
+
+std::string for_people(const Comparison& c, const std::string& design) {
+  const auto row = [](const char* name, double requested, double measured) {
+    const bool given = requested > 0.0;
+    return std::vector<std::string>{name, given ? brief(requested / 1e3) : "-", brief(measured / 1e3),
+                                    given ? decimals(measured / requested, 3) : "-"};
+  };
+  const Properties &r = c.requested, &m = c.measured;
+  std::string text = design + ": ice of the model " + model_name(c) + ", " + c.scale + " scale, " +
+                     std::to_string(layers(c)) + " layers of " + brief(spacing(c)) + " m\n\n";
+  text += text_table({{"kPa", "requested", "measured", "ratio"},
+                      row("elastic modulus", r.elastic_modulus, m.elastic_modulus),
+                      row("flexural strength", r.flexural_strength, m.flexural_strength),
+                      row("compressive strength", r.compressive_strength, m.compressive_strength)});
+  text += "\nsimulated with: modulus " + brief(input_modulus(c) / 1e3) + " kPa, critical stretch " +
+          brief(input_stretch(c)) + "\n";
+  text += "virtual tests: cantilever 7 h x 2 h, " + std::to_string(c.beam_breaks) +
+          " breaks; prism 4 h x 2 h, " + std::to_string(c.prism_breaks) + " breaks; " +
+          decimals(c.seconds, 1) + " s\n";
+  text += "The beam is dry; in water it would be stiffer by " + decimals(100.0 * buoyancy(c), 1) + " %.\n";
+  text +=
+      "Brittle bonds have one strength: the compressive one follows from the flexural one and cannot be "
+      "set.\n";
+  return text;
+}
+
+}  // namespace
+
+int run_calibrate(const Communicator&, const Arguments& arguments) {
+  const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
+  const Comparison c = compare(chosen);
+  if (arguments.has("--json")) {
+    std::cout << to_json(c, chosen.design.name).dump(2) << "\n";
+  } else {
+    std::cout << for_people(c, chosen.design.name);
+  }
+  return exit_code::ok;
+}
+
+}  // namespace icebow

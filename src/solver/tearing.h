@@ -1,0 +1,51 @@
+// Ice that tears at rest: its load is raised from nothing until the most stretched bonds break, again and
+// again. Between two breaks the ice is linear, so one equilibrium tells the load at which the next will be.
+#pragma once
+
+#include <algorithm>
+
+#include "solver/cut.h"
+#include "solver/still_ice.h"
+
+namespace icebow {
+
+// Of a bond, for small displacements.
+inline double stretch(const StillIce& ice, int i, int j, int k, const Offset& o) {
+  const double dx = ice.ice.lattice.dx;
+  const Vec3 xi(o.di * dx, o.dj * dx, o.dk * dx);
+  return xi.dot(ice.u(i + o.di, j + o.dj, k + o.dk) - ice.u(i, j, k)) / (o.length * o.length);
+}
+
+// may_break(i, j, k, offset) names the bonds that may break. Not above 0 where none is stretched.
+template <class MayBreak>
+double largest_stretch(StillIce& ice, MayBreak may_break) {
+  double largest = 0.0;
+  cut(ice.ice.sheet, [&](int i, int j, int k, const Offset& o) {
+    if (may_break(i, j, k, o)) largest = std::max(largest, stretch(ice, i, j, k, o));
+    return false;
+  });
+  return largest;
+}
+
+// Returns how many bonds broke.
+template <class MayBreak>
+std::int64_t break_above(StillIce& ice, double limit, MayBreak may_break) {
+  return cut(ice.ice.sheet, [&](int i, int j, int k, const Offset& o) {
+    return may_break(i, j, k, o) && stretch(ice, i, j, k, o) > limit;
+  });
+}
+
+struct Tear {
+  double load;         // over the forces that push the ice
+  std::int64_t bonds;  // broken at it
+};
+
+template <class MayBreak>
+Tear tear(StillIce& ice, MayBreak may_break) {
+  ice.settle(1e-4);
+  const double largest = largest_stretch(ice, may_break);
+  // Bonds that mirror each other break together.
+  return {ice.ice.material.s0 / largest, break_above(ice, 0.999 * largest, may_break)};
+}
+
+}  // namespace icebow

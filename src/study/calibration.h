@@ -1,0 +1,49 @@
+// Ice given by what an ice tank measures: the modulus and the critical stretch with which the virtual tests
+// of solver/virtual_tests.h return the elastic modulus and the flexural strength asked for.
+//
+// The tests are linear between one broken bond and the next, so what they measure is E or E s0 times a number
+// of the lattice alone (docs/theory.md, "Ice by its tests"). The numbers are stored under the SHA-256 of all
+// they depend on and serve every ice and every design on that lattice.
+#pragma once
+
+#include <string>
+
+#include "base/communicator.h"
+#include "study/design_space.h"
+#include "study/study_spec.h"
+
+namespace icebow {
+
+// Raise it when the same lattice would give other numbers.
+constexpr int virtual_tests_version = 1;
+
+// What the tests of a lattice measure, over the input of its bonds.
+struct LatticeNumbers {
+  double modulus = 0.0;      // measured modulus / E
+  double flexural = 0.0;     // flexural strength / (E s0)
+  double compressive = 0.0;  // compressive strength / (E s0)
+};
+
+// Text of all the numbers depend on: layers, horizon ratio, Poisson's ratio, surface correction.
+std::string lattice_text(const Scenario& scenario);
+
+// $XDG_CACHE_HOME/icebow/calibrations, or that below ~/.cache; empty where neither is set.
+std::string calibration_directory();
+
+// Read from the directory, or found by the tests (seconds to minutes) and stored there. A directory that is
+// empty or cannot be written only means that the next call takes as long.
+LatticeNumbers lattice_numbers(const Scenario& scenario, const std::string& directory);
+
+// Those of every lattice that a study's plan simulates calibrated ice on: before the first design, lest
+// designs that run side by side each do the same tests. What goes wrong is the design's to say.
+void test_lattices(const StudyPlan& plan);
+
+// The ice with the modulus and critical stretch that measure as `ice.E` and `flexural_strength` [Pa]. Throws
+// InputError where the critical stretch would leave the range a study file allows.
+IceMaterial calibrated_ice(const IceMaterial& ice, double flexural_strength, const LatticeNumbers& numbers);
+
+// What is simulated for a case: model scale, calibrated ice with what was found. Collective; the root alone
+// tests and reads. Throws InputError on every rank.
+Scenario simulated_scenario(const Communicator& comm, const Case& full);
+
+}  // namespace icebow
