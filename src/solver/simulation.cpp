@@ -221,7 +221,7 @@ class Loop {
     return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
   }
 
-  // Collective. Of this session's samples; ranks own nearly equal parts of the sheet.
+  // Collective. Of the samples since the run was started or continued; ranks own nearly equal parts.
   double mean_linear_share() const {
     double sums[2] = {linear_sum_, double(samples_)};
     comm_.sum(sums, 2);
