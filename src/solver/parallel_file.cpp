@@ -164,6 +164,12 @@ bool ParallelFile::is_root() const {
   return native_->comm.is_root();
 }
 
+// Datasets whose sizes differ between ranks part their ideas of the file: it is damaged, or never closed.
+std::uint64_t ParallelFile::of_root(std::uint64_t value) const {
+  native_->comm.broadcast(&value, sizeof value);
+  return value;
+}
+
 void ParallelFile::group(const std::string& name) {
   const Handle made(H5Gcreate2(native_->file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   native_->agree(made.ok());

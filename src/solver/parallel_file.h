@@ -42,10 +42,11 @@ class ParallelFile {
     read_raw(name, type_of<T>(), in_file, memory, in_memory);
   }
 
-  // Small one-dimensional things: written by the root, read by every rank.
+  // Small one-dimensional things: written by the root, read by every rank. The root's are what counts; the
+  // others' may differ, in length too (a text with a time measured has as many digits as it has).
   template <class T>
   void write_list(const std::string& name, const std::vector<T>& values) {
-    const Slab all = Slab::whole({values.size()});
+    const Slab all = Slab::whole({of_root(values.size())});
     write(name, is_root() ? all : Slab::nothing(all.extent), values.data(),
           is_root() ? all : Slab::nothing(all.extent));
   }
@@ -79,6 +80,7 @@ class ParallelFile {
     return static_cast<Type>(static_cast<int>(Type::i8) + 2 * log2_size + std::is_unsigned_v<T>);
   }
   bool is_root() const;
+  std::uint64_t of_root(std::uint64_t value) const;
   std::uint64_t length(const std::string& name);
   void write_raw(const std::string& name, Type type, const Slab& in_file, const void* memory,
                  const Slab& in_memory);
