@@ -9,6 +9,7 @@
 #include "cli/number_option.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "hullgen/cad_file.h"
 #include "hullgen/lines_plan.h"
 #include "hullgen/mesh_io.h"
 #include "study/result_json.h"
@@ -20,12 +21,21 @@ bool has_ending(const std::string& path, const std::string& ending) {
   return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-// Before the hull is made: a wrong ending is known at once.
+bool is_cad(const std::string& path) {
+  return has_ending(path, ".step") || has_ending(path, ".stp") || has_ending(path, ".igs") ||
+         has_ending(path, ".iges");
+}
+
+// Before the hull is made: a wrong ending is known at once, and what this build lacks.
 void check_ending(const std::string& path) {
+  if (is_cad(path) && !why_no_cad().empty()) throw InputError("--out " + path + ": " + why_no_cad());
+  if (is_cad(path)) return;
   for (const char* ending : {".obj", ".stl", ".ply", ".vtp", ".svg"}) {
     if (has_ending(path, ending)) return;
   }
-  throw InputError("--out " + path + ": the file must end in .obj, .stl, .ply, .vtp or .svg");
+  throw InputError("--out " + path +
+                   ": the file must end in .obj, .stl, .ply, .vtp (mesh), .step, .stp, .igs, .iges "
+                   "(surfaces) or .svg (lines plan)");
 }
 
 // A drawing is named after the study, and after the design where it is not the study's own.
@@ -37,6 +47,8 @@ void write_hull(const std::string& path, const Hull& hull, const BowParameters& 
                 const std::string& title) {
   if (has_ending(path, ".svg")) {
     write_text_file(path, lines_plan_svg(hull, bow, title));
+  } else if (is_cad(path)) {
+    write_cad(path, hull_surfaces(bow), title);
   } else {
     write_mesh(path, hull.mesh);
   }

@@ -203,6 +203,17 @@ class HullAndResistance(ProgramTest):
         missing = self.directory / "missing/hull.obj"
         self.assertIn(str(missing), self.expect(1, "hull", TINY, "--out", missing).stderr)
 
+    def test_cad_files_or_why_there_are_none(self):
+        for ending, head in ((".step", b"ISO-10303-21"), (".stp", b"ISO-10303-21"), (".igs", b" "), (".iges", b" ")):
+            path = self.directory / f"hull{ending}"
+            process = subprocess.run([PROGRAM, "hull", TINY, "--json", "--out", path], capture_output=True, text=True)
+            if process.returncode == 2:
+                self.assertIn("libocct-data-exchange-dev", process.stderr)
+                continue
+            self.assertEqual(process.returncode, 0, process.stderr)
+            json.loads(process.stdout)  # the CAD library says nothing there
+            self.assertTrue(path.read_bytes().startswith(head) and path.stat().st_size > 50000, path)
+
     def test_an_infeasible_bow(self):
         path = self.directory / "no.obj"
         result = self.expect(1, "hull", TINY, "--json", "--set", INFEASIBLE, "--out", path)
