@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "base/units.h"
-#include "hullgen/bow_surface.h"
+#include "hullgen/family.h"
+#include "hullgen/lines_style.h"
 #include "hullgen/lines_views.h"
 #include "hullgen/text.h"
 
@@ -13,33 +14,7 @@ namespace {
 // The sheet [px]: profile above half-breadth plan in the left column, body plan above the table in the right
 // one.
 constexpr double width = 1312.0, left_margin = 62.0, left_column = 712.0, right_column = 330.0, gap = 100.0;
-constexpr double title_height = 98.0, label_room = 40.0, scale_room = 62.0;
-
-// currentColor where the drawing stands in a page; on its own it follows the reader's light or dark
-// preference.
-constexpr const char* style = R"(
-.lines-plan{font:13px/1 system-ui,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;fill:none;stroke-linecap:round;stroke-linejoin:round}
-.lines-plan:root{color:#1d2b36;--lp-paper:#fff;background:var(--lp-paper)}
-@media(prefers-color-scheme:dark){.lines-plan:root{color:#dde6ec;--lp-paper:#12181d}}
-.lines-plan path,.lines-plan circle{stroke:currentColor;stroke-width:1.1}
-.lines-plan text{fill:currentColor;stroke:none}
-.lines-plan .title{font-size:20px;font-weight:600}
-.lines-plan .heading{font-weight:600}
-.lines-plan .quiet,.lines-plan .scale{opacity:.72;font-size:12px}
-.lines-plan .name{font-size:12px}
-.lines-plan path.grid{stroke-width:.6;opacity:.22}
-.lines-plan path.tick{stroke-width:.8;opacity:.6}
-.lines-plan path.centre{stroke-width:.9;stroke-dasharray:14 3 3 3;opacity:.6}
-.lines-plan path.outline{stroke-width:1.9}
-.lines-plan path.flat{stroke-width:.9;stroke-dasharray:5 3}
-.lines-plan path.dwl{stroke:var(--lp-water,#2485c7);stroke-width:1.1}
-.lines-plan path.dwl-cut{stroke:var(--lp-water,#2485c7);stroke-width:2}
-.lines-plan .dwl-name{fill:var(--lp-water,#2485c7);opacity:1;font-weight:600}
-.lines-plan path.measured,.lines-plan path.arc{stroke:var(--lp-angle,#d4572a);stroke-width:1.6}
-.lines-plan path.ray{stroke:var(--lp-angle,#d4572a);stroke-width:.9;stroke-dasharray:4 3}
-.lines-plan circle.point{stroke:none;fill:var(--lp-angle,#d4572a)}
-.lines-plan text.angle{fill:var(--lp-angle,#d4572a);font-weight:600;paint-order:stroke;stroke:var(--lp-paper,Canvas);stroke-width:4px}
-)";
+constexpr double title_height = 98.0, label_room = 40.0, scale_room = 62.0, row_height = 21.0;
 
 std::string dimensions(const BowParameters& bow) {
   return text(
@@ -47,29 +22,63 @@ std::string dimensions(const BowParameters& bow) {
       bow.L, bow.B, bow.T, bow.D, bow.Lf);
 }
 
-// A table of the four angles: asked for, measured, and where.
-void draw_table(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParameters& bow) {
-  const double columns[] = {corner.x, corner.x + 150.0, corner.x + 220.0, corner.x + 236.0};
-  double y = corner.y;
-  svg.text({columns[0], y}, "Angle [deg]", Anchor::start, "heading");
-  svg.text({columns[1], y}, "asked", Anchor::end, "heading");
-  svg.text({columns[2], y}, "mesh", Anchor::end, "heading");
-  svg.text({columns[3], y}, "at", Anchor::start, "heading");
-  svg.line({corner.x, y + 8.0}, {corner.x + right_column, y + 8.0}, "tick");
-  const auto row = [&](const char* name, const std::string& asked, double measured, const char* where) {
-    y += 21.0;
-    svg.text({columns[0], y + 4.0}, name, Anchor::start, "cell");
-    svg.text({columns[1], y + 4.0}, asked, Anchor::end, "cell");
-    svg.text({columns[2], y + 4.0}, text("%.2f", degrees(measured)), Anchor::end, "cell");
-    svg.text({columns[3], y + 4.0}, where, Anchor::start, "cell quiet");
-  };
-  const auto asked = [](double angle) { return text("%.2f", degrees(angle)); };
-  row("stem", asked(bow.angles.stem), hull.measured.stem, "CL, DWL");
-  row("waterline", asked(bow.angles.waterline), hull.measured.waterline, "CL, DWL");
-  row("buttock", asked(bow.angles.buttock), hull.measured.buttock, "B/4, DWL");
-  row("flare", asked(bow.angles.flare), hull.measured.flare, "B/4, DWL");
-  row("waterline", "derived", hull.waterline_at_quarter_beam, "B/4, DWL");
-  row("flare", "derived", hull.flare_at_stem, "CL, DWL");
+// Rows of a table whose columns after the first and before the last are numbers.
+class Table {
+ public:
+  Table(SvgCanvas& svg, Pixel corner) : svg_(svg), corner_(corner), y_(corner.y) {}
+
+  void head(const char* angle, const char* first, const char* second, const char* place) {
+    write(angle, first, second, place, "heading", "heading");
+    svg_.line({corner_.x, y_ + 8.0}, {corner_.x + right_column, y_ + 8.0}, "tick");
+    y_ += 4.0;
+  }
+  void row(const char* angle, const std::string& first, const std::string& second, const char* place) {
+    y_ += row_height;
+    write(angle, first, second, place, "cell", "cell quiet");
+  }
+
+ private:
+  void write(const char* angle, const std::string& first, const std::string& second, const char* place,
+             const char* cell, const char* last_cell) {
+    svg_.text({corner_.x, y_}, angle, Anchor::start, cell);
+    svg_.text({corner_.x + 150.0, y_}, first, Anchor::end, cell);
+    svg_.text({corner_.x + 220.0, y_}, second, Anchor::end, cell);
+    svg_.text({corner_.x + 236.0, y_}, place, Anchor::start, last_cell);
+  }
+  SvgCanvas& svg_;
+  Pixel corner_;
+  double y_;
+};
+
+std::string degree_text(double angle) {
+  return text("%.2f", degrees(angle));
+}
+
+// Asked for, measured, and where.
+void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParameters& bow) {
+  Table table(svg, corner);
+  const BowAngles &a = bow.angles, &m = hull.measured;
+  table.head("Angle [deg]", "asked", "mesh", "at");
+  table.row("stem", degree_text(a.stem), degree_text(m.stem), "CL, DWL");
+  table.row("waterline", degree_text(a.waterline), degree_text(m.waterline), "CL, DWL");
+  table.row("buttock", degree_text(a.buttock), degree_text(m.buttock), "B/4, DWL");
+  table.row("flare", degree_text(a.flare), degree_text(m.flare), "B/4, DWL");
+  table.row("waterline", "derived", degree_text(hull.waterline_at_quarter_beam), "B/4, DWL");
+  table.row("flare", "derived", degree_text(hull.flare_at_stem), "CL, DWL");
+}
+
+// Of two hulls, as measured on their meshes.
+void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& first, const Hull& second) {
+  Table table(svg, corner);
+  const BowAngles &a = first.measured, &b = second.measured;
+  table.head("Angle [deg]", "solid", "dashed", "at");
+  table.row("stem", degree_text(a.stem), degree_text(b.stem), "CL, DWL");
+  table.row("waterline", degree_text(a.waterline), degree_text(b.waterline), "CL, DWL");
+  table.row("buttock", degree_text(a.buttock), degree_text(b.buttock), "B/4, DWL");
+  table.row("flare", degree_text(a.flare), degree_text(b.flare), "B/4, DWL");
+  table.row("waterline", degree_text(first.waterline_at_quarter_beam),
+            degree_text(second.waterline_at_quarter_beam), "B/4, DWL");
+  table.row("flare", degree_text(first.flare_at_stem), degree_text(second.flare_at_stem), "CL, DWL");
 }
 
 void draw_heading(SvgCanvas& svg, Pixel at, const std::string& view, const std::string& lines) {
@@ -77,30 +86,65 @@ void draw_heading(SvgCanvas& svg, Pixel at, const std::string& view, const std::
   svg.text({at.x + 8.2 * static_cast<double>(view.size()) + 8.0, at.y}, lines, Anchor::start, "quiet");
 }
 
-std::string no_lines(const Hull& hull, const std::string& title) {
-  SvgCanvas svg(width, 120.0, "lines-plan", style, title);
+std::string no_lines(const Hull& hull, const std::string& title, DrawnFor reader) {
+  SvgCanvas svg(width, 120.0, "lines-plan", lines_style(reader), title);
   svg.text({left_margin, 40.0}, title, Anchor::start, "title");
   svg.text({left_margin, 76.0}, "No hull, so no lines: " + hull.reason, Anchor::start, "quiet");
   return svg.svg();
 }
 
+// Where views and table stand on the sheet.
+struct Sheet {
+  explicit Sheet(const Extent& e)
+      : profile{{0.0, 0.0}, left_column / (e.window - e.tip)},
+        plan{profile},
+        body_plan{{0.0, 0.0}, right_column / (2.0 * e.half)} {
+    const double across = left_margin + profile.scale * e.window;
+    profile.origin = {across, profile_top + profile.scale * e.high};
+    plan_top = profile_top + (e.high - e.low) * profile.scale + scale_room + 1.5 * label_room;
+    plan.origin = {across, plan_top + profile.scale * e.half};
+    body_plan.origin = {right + right_column / 2.0, profile_top + body_plan.scale * e.high};
+    table_top = profile_top + (e.high - e.low) * body_plan.scale + label_room + 24.0;
+    height = std::max(plan.origin.y + scale_room + 14.0, table_top + 7.0 * row_height + 20.0);
+  }
+  static constexpr double profile_top = title_height + 2.0 * label_room;
+  static constexpr double right = left_margin + left_column + gap;
+  View profile, plan, body_plan;
+  double plan_top, table_top, height;
+};
+
+void draw_headings(SvgCanvas& svg, const Sheet& sheet, double low) {
+  const double top = Sheet::profile_top - 1.5 * label_room;
+  draw_heading(svg, {left_margin, top}, "Profile", "buttocks by half-breadth, m");
+  draw_heading(svg, {left_margin, sheet.plan_top - label_room}, "Half-breadth plan",
+               "waterlines by height, m");
+  draw_heading(svg, {Sheet::right, top}, "Body plan", "stations by distance aft of the stem, m");
+  svg.text({Sheet::right + right_column, sheet.body_plan.at(0.0, low).y + 20.0},
+           "right: up to the shoulder; left: aft of it", Anchor::end, "quiet");
+}
+
+void draw_views(SvgCanvas& svg, const Sheet& sheet, const ForeBody& body) {
+  draw_profile(svg, body, sheet.profile);
+  draw_half_breadth(svg, body, sheet.plan);
+  draw_body_plan(svg, body, sheet.body_plan);
+}
+
+// A piece of line, and the hull's name, family and dimensions.
+void draw_legend(SvgCanvas& svg, double y, const NamedHull& hull) {
+  svg.line({left_margin, y - 4.0}, {left_margin + 44.0, y - 4.0}, "outline");
+  svg.text({left_margin + 56.0, y},
+           hull.name + ": " + family_form(hull.bow.family).name + ", " + dimensions(hull.bow), Anchor::start,
+           "cell");
+}
+
 }  // namespace
 
-std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std::string& title) {
-  if (hull.mesh.quads.empty()) return no_lines(hull, title);
+std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std::string& title,
+                           DrawnFor reader) {
+  if (hull.mesh.quads.empty()) return no_lines(hull, title, reader);
   const ForeBody body = fore_body(hull, bow);
-  const double scale = left_column / (body.window - body.tip);
-  const double deck = bow.D - bow.T, half = bow_beam(bow) / 2.0;
-  const double profile_top = title_height + 2.0 * label_room;
-  const double plan_top = profile_top + bow.D * scale + scale_room + 1.5 * label_room;
-  const View profile{{left_margin + scale * body.window, profile_top + scale * deck}, scale};
-  const View plan{{profile.origin.x, plan_top + scale * half}, scale};
-  const double body_scale = right_column / bow_beam(bow), right = left_margin + left_column + gap;
-  const View body_plan{{right + right_column / 2.0, profile_top + body_scale * deck}, body_scale};
-  const double table_top = profile_top + bow.D * body_scale + label_room + 24.0;
-  const double height = std::max(plan.origin.y + scale_room + 14.0, table_top + 7.0 * 21.0 + 20.0);
-
-  SvgCanvas svg(width, height, "lines-plan", style, title);
+  const Sheet sheet(body.extent);
+  SvgCanvas svg(width, sheet.height, "lines-plan", lines_style(reader), title);
   svg.text({left_margin, 36.0}, title, Anchor::start, "title");
   svg.text({left_margin, 60.0}, dimensions(bow), Anchor::start, "cell");
   svg.text({left_margin, 80.0},
@@ -108,16 +152,29 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
                "; full scale, metres from the stem at the "
                "design waterline",
            Anchor::start, "quiet");
-  draw_heading(svg, {left_margin, profile_top - 1.5 * label_room}, "Profile", "buttocks by half-breadth, m");
-  draw_heading(svg, {left_margin, plan_top - label_room}, "Half-breadth plan", "waterlines by height, m");
-  draw_heading(svg, {right, profile_top - 1.5 * label_room}, "Body plan",
-               "stations by distance aft of the stem, m");
-  svg.text({right + right_column, body_plan.at(0.0, -bow.T).y + 20.0},
-           "right: up to the shoulder; left: aft of it", Anchor::end, "quiet");
-  draw_profile(svg, body, profile);
-  draw_half_breadth(svg, body, plan);
-  draw_body_plan(svg, body, body_plan);
-  draw_table(svg, {right, table_top}, hull, bow);
+  draw_headings(svg, sheet, body.extent.low);
+  draw_views(svg, sheet, body);
+  draw_angles(svg, {Sheet::right, sheet.table_top}, hull, bow);
+  return svg.svg();
+}
+
+std::string overlaid_lines_plan_svg(const NamedHull& first, const NamedHull& second, const std::string& title,
+                                    DrawnFor reader) {
+  ForeBody a = fore_body(first.hull, first.bow), b = fore_body(second.hull, second.bow);
+  share_extent(a, b);
+  const Sheet sheet(a.extent);
+  SvgCanvas svg(width, sheet.height, "lines-plan", lines_style(reader), title);
+  svg.text({left_margin, 36.0}, title, Anchor::start, "title");
+  draw_legend(svg, 62.0, first);
+  svg.begin_group("second");
+  draw_legend(svg, 84.0, second);
+  svg.end_group();
+  draw_headings(svg, sheet, a.extent.low);
+  overlay_profile(svg, b, a, sheet.profile);
+  overlay_half_breadth(svg, b, a, sheet.plan);
+  overlay_body_plan(svg, b, a, sheet.body_plan);
+  draw_views(svg, sheet, a);
+  draw_angles(svg, {Sheet::right, sheet.table_top}, first.hull, second.hull);
   return svg.svg();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hullgen/text.h"
 
@@ -79,9 +80,14 @@ void SvgCanvas::polyline(const std::vector<Pixel>& points, const std::string& st
   std::vector<char> needed(points.size(), 0);
   needed.front() = needed.back() = 1;
   mark_needed(points, 0, points.size() - 1, needed);
+  const bool kept_off = style_class != "grid" && style_class != "tick" && style_class != "centre";
   out_ += "<path class=\"" + style_class + "\" d=\"";
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (needed[k]) out_ += icebow::text("%s%.1f %.1f", k == 0 ? "M" : "L", points[k].x, points[k].y);
+  for (std::size_t k = 0, last = 0; k < points.size(); ++k) {
+    if (!needed[k]) continue;
+    out_ += icebow::text("%s%.1f %.1f", k == 0 ? "M" : "L", points[k].x, points[k].y);
+    if (kept_off && k > 0) segments_.push_back({points[last], points[k]});
+    last = k;
+  }
   out_ += "\"/>\n";
 }
 
@@ -109,23 +115,47 @@ void SvgCanvas::text(Pixel at, const std::string& words, Anchor anchor, const st
   out_ += xml_escaped(words) + "</text>\n";
 }
 
+// Liang and Barsky: the part of the segment inside both pairs of sides is not empty.
+bool SvgCanvas::crosses(const Segment& segment, const Rectangle& box) {
+  double from = 0.0, to = 1.0;
+  const auto clip = [&](double start, double change, double low, double high) {
+    if (change == 0.0) return start > low && start < high;
+    const double t0 = (low - start) / change, t1 = (high - start) / change;
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+    return from < to;
+  };
+  return clip(segment.a.x, segment.b.x - segment.a.x, box.x0, box.x1) &&
+         clip(segment.a.y, segment.b.y - segment.a.y, box.y0, box.y1);
+}
+
+int SvgCanvas::lines_under(const Rectangle& box) const {
+  return static_cast<int>(std::count_if(segments_.begin(), segments_.end(),
+                                        [&](const Segment& segment) { return crosses(segment, box); }));
+}
+
 bool SvgCanvas::label(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class,
                       const std::vector<Pixel>& shifts) {
   std::vector<Pixel> places{at};
   for (const Pixel& shift : shifts) places.push_back({at.x + shift.x, at.y + shift.y});
   const double width = glyph_width * static_cast<double>(glyphs(words));
   const double left = anchor == Anchor::start ? 0.0 : anchor == Anchor::middle ? 0.5 * width : width;
+  const Pixel* best = nullptr;
+  Rectangle best_box{};
+  int fewest = std::numeric_limits<int>::max();
   for (const Pixel& p : places) {
-    const Rectangle box{p.x - left - 2.0, p.y - glyph_height, p.x - left + width + 2.0, p.y + 2.0};
+    const Rectangle box{p.x - left - 3.0, p.y - glyph_height, p.x - left + width + 3.0, p.y + 2.0};
     const bool covers = std::any_of(labels_.begin(), labels_.end(), [&](const Rectangle& r) {
       return box.x0 < r.x1 && r.x0 < box.x1 && box.y0 < r.y1 && r.y0 < box.y1;
     });
-    if (covers) continue;
-    labels_.push_back(box);
-    text(p, words, anchor, style_class);
-    return true;
+    const int lines = covers ? fewest : lines_under(box);
+    if (lines >= fewest) continue;
+    best = &p, best_box = box, fewest = lines;
   }
-  return false;
+  if (!best) return false;
+  labels_.push_back(best_box);
+  text(*best, words, anchor, style_class);
+  return true;
 }
 
 std::string SvgCanvas::svg() const {

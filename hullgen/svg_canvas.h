@@ -27,8 +27,9 @@ class SvgCanvas {
   // Circular arc from angle a to angle b [rad], counter-clockwise as seen, 0 along +x.
   void arc(Pixel centre, double radius, double a, double b, const std::string& style_class);
   void text(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class);
-  // Text at the first of at + shift (at itself first) that covers no earlier label; left out if there is
-  // none.
+  // Text at that of at + shift (at itself first) that covers no earlier label and the fewest lines drawn so
+  // far, the first of several; left out if all cover a label. Lines of the classes "grid", "tick" and
+  // "centre" may be covered.
   bool label(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class,
              const std::vector<Pixel>& shifts = {});
 
@@ -38,7 +39,14 @@ class SvgCanvas {
   struct Rectangle {
     double x0, y0, x1, y1;
   };
+  struct Segment {
+    Pixel a, b;
+  };
+  static bool crosses(const Segment& segment, const Rectangle& box);
+  int lines_under(const Rectangle& box) const;
+
   std::string out_;
+  std::vector<Segment> segments_;  // of the lines that labels keep off
   std::vector<Rectangle> labels_;
 };
 

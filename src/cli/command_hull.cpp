@@ -5,53 +5,19 @@
 #include "base/units.h"
 #include "cli/bow_explanation.h"
 #include "cli/commands.h"
+#include "cli/hull_output.h"
 #include "cli/hydrostatics_text.h"
 #include "cli/number_option.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "hullgen/cad_file.h"
-#include "hullgen/lines_plan.h"
-#include "hullgen/mesh_io.h"
 #include "study/result_json.h"
 
 namespace icebow {
 namespace {
 
-bool has_ending(const std::string& path, const std::string& ending) {
-  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-bool is_cad(const std::string& path) {
-  return has_ending(path, ".step") || has_ending(path, ".stp") || has_ending(path, ".igs") ||
-         has_ending(path, ".iges");
-}
-
-// Before the hull is made: a wrong ending is known at once, and what this build lacks.
-void check_ending(const std::string& path) {
-  if (is_cad(path) && !why_no_cad().empty()) throw InputError("--out " + path + ": " + why_no_cad());
-  if (is_cad(path)) return;
-  for (const char* ending : {".obj", ".stl", ".ply", ".vtp", ".svg"}) {
-    if (has_ending(path, ending)) return;
-  }
-  throw InputError("--out " + path +
-                   ": the file must end in .obj, .stl, .ply, .vtp (mesh), .step, .stp, .igs, .iges "
-                   "(surfaces) or .svg (lines plan)");
-}
-
 // A drawing is named after the study, and after the design where it is not the study's own.
 std::string drawing_title(const StudySpec& spec, const ChosenDesign& chosen) {
   return spec.name + (chosen.design.name == "baseline" ? "" : ": " + chosen.design.name);
-}
-
-void write_hull(const std::string& path, const Hull& hull, const BowParameters& bow,
-                const std::string& title) {
-  if (has_ending(path, ".svg")) {
-    write_text_file(path, lines_plan_svg(hull, bow, title));
-  } else if (is_cad(path)) {
-    write_cad(path, hull_surfaces(bow), title);
-  } else {
-    write_mesh(path, hull.mesh);
-  }
 }
 
 std::string angle_rows(const BowAngles& asked, const Hull& hull) {
@@ -92,7 +58,7 @@ std::string mesh_row(const Json& mesh) {
          " on the bow, " + decimals(mesh.at("max_aspect").get<double>(), 1) + " on the whole hull\n";
 }
 
-// Before the hull is made, like check_ending. The draft is amidships, at L/2 from the stem.
+// Before the hull is made, like check_hull_output. The draft is amidships, at L/2 from the stem.
 Flotation flotation(const Arguments& arguments, const BowParameters& bow) {
   for (const char* option : {"--draft", "--trim"}) {
     if (arguments.has(option) && !arguments.has("--hydrostatics"))
@@ -106,16 +72,17 @@ Flotation flotation(const Arguments& arguments, const BowParameters& bow) {
 
 int run_hull(const Communicator&, const Arguments& arguments) {
   const std::string path = arguments.value("--out");
-  if (arguments.has("--out")) check_ending(path);
+  check_hull_output(arguments);
   const StudySpec spec = load_study(arguments);
   const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
   const Flotation at = flotation(arguments, bow);
+  const std::optional<OverlaidBow> overlaid = overlaid_bow(spec, arguments);
   const Hull hull = make_hull(bow);
   Json json = hull_json(hull, bow);
   json["design"] = chosen.design.name;
   if (hull.status == HullStatus::ok && !path.empty())
-    write_hull(path, hull, bow, drawing_title(spec, chosen));
+    write_hull_output(path, hull, bow, drawing_title(spec, chosen), overlaid);
   std::string more;
   if (hull.status == HullStatus::ok && arguments.has("--hydrostatics")) {
     const HydrostaticsReport report = hydrostatics_report(hull.mesh, at, chosen.description.water.rho);

@@ -27,7 +27,10 @@ const std::vector<Command>& commands() {
        {set,
         design,
         {"--out", "FILE",
-         "write the mesh (.obj, .stl, .ply, .vtp), the surfaces (.step, .igs) or the lines plan (.svg)"},
+         "write the mesh (.obj, .stl, .ply, .vtp), the surfaces (.step, .igs) or the lines plan (.svg, "
+         ".pdf)"},
+        {"--overlay", "OTHER",
+         "a second hull in the lines plan: a study file, a family's preset or a design of STUDY"},
         {"--explain", "", "tangent planes, angles as ice class rules name them, and which are near a limit"},
         {"--hydrostatics", "", "displacement, centres, waterplane and sectional areas too"},
         {"--draft", "M", "draft amidships for them; default: the design draught"},

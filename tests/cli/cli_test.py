@@ -214,6 +214,35 @@ class HullAndResistance(ProgramTest):
             json.loads(process.stdout)  # the CAD library says nothing there
             self.assertTrue(path.read_bytes().startswith(head) and path.stat().st_size > 50000, path)
 
+    def test_lines_plan_as_pdf(self):
+        path = self.directory / "lines.pdf"
+        process = subprocess.run([PROGRAM, "hull", TINY, "--out", path], capture_output=True, text=True)
+        if process.returncode == 2:
+            self.assertIn("librsvg2-dev", process.stderr)
+            self.skipTest("built without PDF")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        if not shutil.which("pdftotext") or not shutil.which("pdfimages"):
+            self.skipTest("pdftotext and pdfimages (poppler-utils) are not installed: the page is not looked at")
+        words = subprocess.run(["pdftotext", "-layout", path, "-"], capture_output=True, text=True, check=True).stdout
+        for word in ("Half-breadth plan", "stem 24.35", "B/4, DWL"):
+            self.assertIn(word, words)
+        images = subprocess.run(["pdfimages", "-list", path], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(len(images.splitlines()), 2, images)  # its heading alone: vectors, no picture
+        subprocess.run(["pdftoppm", "-r", "48", path, self.directory / "page"], check=True)
+        page = next(self.directory.glob("page*.ppm")).read_bytes()
+        colours = {page[k:k + 3] for k in range(len(page) % 3, len(page), 3)}
+        self.assertGreater(len(colours), 50)  # lines and letters, smoothed
+
+    def test_two_hulls_in_one_plan(self):
+        path = self.directory / "both.svg"
+        for other, name in (("Steep stem", "Steep stem"), ("high_flare", "preset of high_flare"), (TINY, "Tiny")):
+            self.expect(0, "hull", TINY, "--overlay", other, "--out", path)
+            self.assertIn(f"and {name}</title>", path.read_text())
+        self.assertIn("lines plan", self.expect(2, "hull", TINY, "--overlay", "flat").stderr)
+        stranger = self.expect(2, "hull", TINY, "--overlay", "flt", "--out", path).stderr
+        self.assertIn("--overlay flt", stranger)
+        self.assertIn("Steep stem", stranger)
+
     def test_an_infeasible_bow(self):
         path = self.directory / "no.obj"
         result = self.expect(1, "hull", TINY, "--json", "--set", INFEASIBLE, "--out", path)

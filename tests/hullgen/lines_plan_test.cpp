@@ -1,8 +1,11 @@
 #include "hullgen/lines_plan.h"
 
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <map>
 #include <regex>
 
+#include "base/units.h"
 #include "hullgen/svg_canvas.h"
 #include "paper_bows.h"
 
@@ -44,6 +47,54 @@ TEST_CASE("a bow without a hull says why it has no lines") {
   bow.Lf = 20.0;
   const std::string svg = lines_plan_svg(make_hull(bow), bow, "Short");
   CHECK(svg.find("raise the bow length Lf") != std::string::npos);
+}
+
+TEST_CASE(
+    "two hulls in one plan: both names, the angles of both, the second's lines in a group of their own") {
+  const BowParameters first = conventional_bow(), second = thyssen_waas_bow();
+  const Hull a = make_hull(first), b = make_hull(second);
+  const std::string svg = overlaid_lines_plan_svg({a, first, "One & only"}, {b, second, "Other"}, "Both");
+  CHECK(svg.find("One &amp; only: ") != std::string::npos);
+  CHECK(svg.find("Other: ") != std::string::npos);
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(count(svg, "<g class=\"second\">") == 4);  // legend and three views
+  CHECK(count(svg, "</g>") == 4);
+  for (const BowAngles& angles : {first.angles, second.angles})
+    for (double angle : {angles.stem, angles.waterline, angles.buttock, angles.flare}) {
+      char words[32];
+      std::snprintf(words, sizeof words, ">%.2f<", degrees(angle));
+      CHECK(svg.find(words) != std::string::npos);
+    }
+  CHECK(count(svg, "class=\"dwl-cut\"") == 2);
+  // Of a hull over itself every line is there twice, in the same place.
+  const std::string twice = overlaid_lines_plan_svg({a, first, "A"}, {a, first, "A"}, "A");
+  const std::regex waterline("class=\"waterline\" d=\"([^\"]*)\"");
+  std::map<std::string, int> drawn;
+  for (std::sregex_iterator it(twice.begin(), twice.end(), waterline), end; it != end; ++it)
+    ++drawn[(*it)[1]];
+  REQUIRE(drawn.size() >= 4);
+  for (const auto& line : drawn) CHECK(line.second == 2);
+}
+
+TEST_CASE("for print there are no CSS variables, on a screen there are") {
+  const BowParameters bow = conventional_bow();
+  const Hull hull = make_hull(bow);
+  const std::string print = lines_plan_svg(hull, bow, "A", DrawnFor::print);
+  for (const char* word : {"var(", "currentColor", "$", "@media"})
+    CHECK(print.find(word) == std::string::npos);
+  const std::string screen = lines_plan_svg(hull, bow, "A");
+  CHECK(screen.find("var(--lp-second,") != std::string::npos);
+  CHECK(screen.find("$") == std::string::npos);
+}
+
+TEST_CASE("a label keeps off lines where it can, and off other labels always") {
+  SvgCanvas svg(100, 100, "c", "", "t");
+  svg.line({0, 48}, {100, 46}, "buttock");
+  svg.line({0, 80}, {100, 80}, "grid");  // may be covered
+  CHECK(svg.label({50, 50}, "one", Anchor::middle, "n", {{0, 5}, {0, 33}}));
+  CHECK(svg.svg().find("y=\"83.0\"") != std::string::npos);
+  CHECK(svg.label({50, 50}, "two", Anchor::middle, "n", {{0, 33}}));
+  CHECK(svg.svg().find("y=\"50.0\"") != std::string::npos);
 }
 
 TEST_CASE("a label that would cover another moves or is left out") {
