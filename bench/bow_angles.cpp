@@ -1,14 +1,15 @@
 // Random feasible bows of every family, at two panel sizes: are the angles those asked for, is the hull
 // closed and free of self-intersections, how good are its panels, and which part of the family's ranges can
-// be had together. Prints Markdown tables; docs/bows.md has them.
+// be had together; and what a hull of each preset costs. Prints Markdown tables; docs/bows.md has them.
 //
 //     bow_angles [BOWS] [SEED]      1000 bows a family, seed 1
+//     bow_angles presets            the presets' hulls alone
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 
 #include "base/units.h"
@@ -29,7 +30,7 @@ constexpr int asked = 100000;  // bows a family for the table of joint feasibili
 struct Sample {
   std::vector<double> errors;  // [deg], largest of the four angles of a bow
   int broken = 0;              // open, folded, intersecting itself
-  double warp = 0.0, aspect = 0.0, seconds = 0.0;
+  double warp = 0.0, aspect = 0.0, hull_aspect = 0.0, seconds = 0.0;
 };
 
 struct Family {
@@ -44,8 +45,9 @@ struct Jointly {
       ratio;  // of the feasible ones: [deg], [deg], Lf/B
 };
 
+// Of the processor, so that other programs on the machine count little.
 double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 void add(Sample& sample, const BowParameters& bow) {
@@ -57,6 +59,7 @@ void add(Sample& sample, const BowParameters& bow) {
   sample.broken += check.ok() ? 0 : 1;
   sample.warp = std::max(sample.warp, check.max_warp);
   sample.aspect = std::max(sample.aspect, check.max_bow_aspect);
+  sample.hull_aspect = std::max(sample.hull_aspect, check.max_aspect);
 }
 
 Family sampled(BowFamily family, int bows, unsigned seed) {
@@ -100,9 +103,10 @@ double quantile(std::vector<double> values, double q) {
 void print_quality(BowFamily family, const Family& f) {
   for (std::size_t k = 0; k < densities.size(); ++k) {
     const Sample& s = f.at[k];
-    std::printf("| `%s` | B/%g | %d | %.4f | %.4f | %d | %.4f | %.1f | %.1f |\n", family_form(family).key,
-                densities[k], f.feasible, *std::max_element(s.errors.begin(), s.errors.end()),
-                quantile(s.errors, 0.99), s.broken, s.warp, s.aspect, 1e3 * s.seconds / f.feasible);
+    std::printf("| `%s` | B/%g | %d | %.4f | %.4f | %d | %.4f | %.1f | %.1f | %.1f |\n",
+                family_form(family).key, densities[k], f.feasible,
+                *std::max_element(s.errors.begin(), s.errors.end()), quantile(s.errors, 0.99), s.broken,
+                s.warp, s.aspect, s.hull_aspect, 1e3 * s.seconds / f.feasible);
   }
 }
 
@@ -119,18 +123,52 @@ void print_jointly(BowFamily family, Jointly j) {
   range(j.ratio, " %.2f to %.2f |\n");
 }
 
+// The median of some repeats of each part, at the default panel size.
+void print_preset(BowFamily family) {
+  constexpr int repeats = 9;
+  const BowParameters bow = preset_bow(family);
+  std::vector<double> mesh_ms, angles_ms, check_ms;
+  MeshCheck check;
+  for (int k = 0; k < repeats; ++k) {
+    const double start = seconds_now();
+    const QuadMesh mesh = bow_mesh(bow);
+    const double meshed = seconds_now();
+    if (!angle_mismatch(bow.angles, measure_angles(mesh, bow_beam(bow))).empty()) return;
+    const double measured = seconds_now();
+    check = check_mesh(mesh);
+    mesh_ms.push_back(1e3 * (meshed - start));
+    angles_ms.push_back(1e3 * (measured - meshed));
+    check_ms.push_back(1e3 * (seconds_now() - measured));
+  }
+  std::printf("| `%s` | %d | %.1f | %.1f | %.0f | %.1f | %.1f |\n", family_form(family).key,
+              check.quads + check.triangles, quantile(mesh_ms, 0.5), quantile(angles_ms, 0.5),
+              quantile(check_ms, 0.5), check.max_bow_aspect, check.max_aspect);
+}
+
+void print_presets() {
+  std::printf(
+      "| family | panels | mesh, ms | angles, ms | CGAL's check, ms | max aspect, bow | whole hull |\n"
+      "|---|---|---|---|---|---|---|\n");
+  for (const BowFamily family : all_families()) print_preset(family);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 2 && std::string(argv[1]) == "presets") {
+    print_presets();
+    return 0;
+  }
   const int bows = argc > 1 ? std::atoi(argv[1]) : 1000;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   if (bows < 1) {
-    std::fprintf(stderr, "bow_angles [BOWS] [SEED]: BOWS must be a positive number\n");
+    std::fprintf(stderr, "bow_angles [BOWS] [SEED] or bow_angles presets: BOWS must be a positive number\n");
     return 2;
   }
   std::printf(
-      "| family | panel | bows | max error, deg | 99 %% | broken | max warp | max aspect, bow | ms a hull |\n"
-      "|---|---|---|---|---|---|---|---|---|\n");
+      "| family | panel | bows | max error, deg | 99 %% | broken | max warp | max aspect, bow | whole hull | "
+      "ms a hull |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
   for (const BowFamily family : all_families()) {
     const Family result = sampled(family, bows, seed);
     if (result.feasible > 0) print_quality(family, result);

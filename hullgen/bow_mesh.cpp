@@ -1,7 +1,6 @@
 // The hull has the topology of a tube with two ends: the bow patch, a grid of columns (j, along y, starboard
 // to port) and rows (i, keel to deck), is the front end; its boundary ring runs aft as bottom, port side,
-// deck and starboard side to the transom. Stations aft of the bow thin the ring out, halving columns and rows
-// as panels grow.
+// deck and starboard side to the transom. Stations aft of the bow thin the ring out as panels grow.
 #include "hullgen/bow_mesh.h"
 
 #include <algorithm>
@@ -10,36 +9,25 @@
 
 #include "hullgen/bow_grid.h"
 #include "hullgen/bow_surface.h"
+#include "hullgen/ring_thinning.h"
 #include "hullgen/spacing.h"
 
 namespace icebow {
 namespace {
 
-constexpr double coarsest_aft = 8.0;  // times the panel size, towards the transom
-constexpr int coarsest_level = 3;     // the ring is halved at most this often
-
-struct Cell {
-  int j, i;
-};
-
 class HullBuilder {
  public:
-  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel);
+  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel, bool by_length);
   QuadMesh build();
 
  private:
   int ny() const { return static_cast<int>(grid_.eta.size()) - 1; }  // columns of one side
   int nz() const { return static_cast<int>(grid_.z.size()) - 1; }
-  int front(Cell c) const { return (c.j + ny()) * (nz() + 1) + c.i; }
-  Vec3 front_point(Cell c) const;
-  Vec3 tube_point(Cell c) const;  // where the ship's own beam begins: behind the reamers
-  bool kept(Cell c, int level) const { return kept_column(c.j, level) && kept_row(c.i, level); }
-  bool kept_column(int j, int level) const { return std::abs(j) == ny() || j % (1 << level) == 0; }
-  bool kept_row(int i, int level) const {
-    const int bilge_level = std::min(level, 1);  // so that the bilge stays round
-    return i == 0 || i == bilge_rows_ || i == nz() || i % (1 << (i < bilge_rows_ ? bilge_level : level)) == 0;
-  }
-  Patch patch(Cell from, Cell to) const;
+  int front(GridNode c) const { return (c.j + ny()) * (nz() + 1) + c.i; }
+  Vec3 front_point(GridNode c) const;
+  Vec3 tube_point(GridNode c) const;  // where the ship's own beam begins: behind the reamers
+  bool kept(GridNode c) const { return thinning_.column(c.j) && thinning_.row(c.i); }
+  Patch patch(GridNode from, GridNode to) const;
 
   void add(Patch patch, int a, int b, int c, int d);
   void add_bow();
@@ -51,31 +39,29 @@ class HullBuilder {
   const BowSurface& bow_;
   const BowGrid& grid_;
   double L_, panel_;
-  int bilge_rows_ = 0;        // rows up to here take part in the rounding of the bilge
-  int level_ = 0;             // of thinning, at the current station
-  bool on_reamer_ = false;    // the current station is on the step
-  std::vector<Cell> ring_;    // counter-clockwise seen from ahead
-  std::vector<int> station_;  // point of each ring place at the current station, -1 where thinned out
+  RingThinning thinning_;
+  bool on_reamer_ = false;      // the current station is on the step
+  std::vector<GridNode> ring_;  // counter-clockwise seen from ahead
+  std::vector<int> station_;    // point of each ring place at the current station, -1 where thinned out
   QuadMesh mesh_;
 };
 
-HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel)
-    : bow_(bow), grid_(grid), L_(L), panel_(panel) {
-  while (grid_.z[bilge_rows_] < bow.bilge - bow.T) ++bilge_rows_;
+HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel, bool by_length)
+    : bow_(bow), grid_(grid), L_(L), panel_(panel), thinning_(bow, grid, panel, by_length) {
   for (int j = -ny(); j < ny(); ++j) ring_.push_back({j, 0});
   for (int i = 0; i < nz(); ++i) ring_.push_back({ny(), i});
   for (int j = ny(); j > -ny(); --j) ring_.push_back({j, nz()});
   for (int i = nz(); i > 0; --i) ring_.push_back({-ny(), i});
 }
 
-Vec3 HullBuilder::front_point(Cell c) const {
+Vec3 HullBuilder::front_point(GridNode c) const {
   Vec3 p = bow_.point(grid_.eta[std::abs(c.j)], grid_.z[c.i]);
   if (c.j < 0) p.y() = -p.y();
   return p;
 }
 
 // The step of a reamer faces aft at 45 deg; bottom and deck draw in with it.
-Vec3 HullBuilder::tube_point(Cell c) const {
+Vec3 HullBuilder::tube_point(GridNode c) const {
   Vec3 p = front_point(c);
   if (bow_.reamer == 0.0) return p;
   p.x() -= bow_.reamer;
@@ -83,7 +69,7 @@ Vec3 HullBuilder::tube_point(Cell c) const {
   return p;
 }
 
-Patch HullBuilder::patch(Cell from, Cell to) const {
+Patch HullBuilder::patch(GridNode from, GridNode to) const {
   if (from.i == 0 && to.i == 0) return Patch::bottom;
   if (from.i == nz() && to.i == nz()) return Patch::deck;
   return on_reamer_ ? Patch::reamer : Patch::side;
@@ -128,7 +114,7 @@ void HullBuilder::add_reamers() {
   const int cells = std::max(1, static_cast<int>(std::lround(std::sqrt(2.0) * bow_.reamer / panel_)));
   for (int k = 1; k <= cells; ++k) {
     std::vector<int> next;
-    for (const Cell& c : ring_) {
+    for (const GridNode& c : ring_) {
       next.push_back(static_cast<int>(mesh_.points.size()));
       const Vec3 from = front_point(c);
       mesh_.points.push_back(from + static_cast<double>(k) / cells * (tube_point(c) - from));
@@ -144,20 +130,22 @@ void HullBuilder::add_tube() {
   // waterline.
   const double length = L_ - bow_.Lf - bow_.reamer;
   const auto wanted = [&](double, double run) {
-    return std::min(panel_ + 0.25 * run, coarsest_aft * panel_);
+    return std::min(panel_ + 0.25 * run, thinning_.longest_cell());
   };
   const std::vector<double> shares =
       graded([&](double share) { return Vec3(share * length, 0.0, 0.0); }, 0.0, 1.0, wanted, 4);
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const double cell = (shares[k] - shares[k - 1]) * length;
-    if (level_ < coarsest_level && cell > panel_ * (2 << level_)) ++level_;
-    std::vector<int> next;
-    for (const Cell& c : ring_) {
-      next.push_back(kept(c, level_) ? static_cast<int>(mesh_.points.size()) : -1);
-      if (next.back() < 0) continue;
+    const auto place = [&](GridNode c) {
       Vec3 p = tube_point(c);
       p.x() += shares[k] * (-L_ - p.x());
-      mesh_.points.push_back(p);
+      return p;
+    };
+    thinning_.advance(cell, place);
+    std::vector<int> next;
+    for (const GridNode& c : ring_) {
+      next.push_back(kept(c) ? static_cast<int>(mesh_.points.size()) : -1);
+      if (next.back() >= 0) mesh_.points.push_back(place(c));
     }
     join(station_, next);
     station_ = next;
@@ -167,9 +155,9 @@ void HullBuilder::add_tube() {
 void HullBuilder::add_transom() {
   std::vector<int> columns, rows;
   for (int j = -ny(); j <= ny(); ++j)
-    if (kept_column(j, level_)) columns.push_back(j);
+    if (thinning_.column(j)) columns.push_back(j);
   for (int i = 0; i <= nz(); ++i)
-    if (kept_row(i, level_)) rows.push_back(i);
+    if (thinning_.row(i)) rows.push_back(i);
   std::vector<int> id(static_cast<std::size_t>(2 * ny() + 1) * (nz() + 1), -1);  // by front()
   for (std::size_t r = 0; r < ring_.size(); ++r) id[front(ring_[r])] = station_[r];
   for (int j : columns)
@@ -189,7 +177,7 @@ void HullBuilder::add_transom() {
 
 QuadMesh HullBuilder::build() {
   add_bow();
-  for (const Cell& c : ring_) station_.push_back(front(c));
+  for (const GridNode& c : ring_) station_.push_back(front(c));
   add_reamers();
   add_tube();
   add_transom();
@@ -205,8 +193,9 @@ double panel_size(const BowParameters& bow) {
 QuadMesh bow_mesh(const BowParameters& bow) {
   const BowSurface surface = bow_surface(bow);
   const double panel = panel_size(bow);
-  const BowGrid grid = bow_grid(surface, panel, family_form(bow.family).graded_by_curvature);
-  return HullBuilder(surface, grid, bow.L, panel).build();
+  const bool well_shaped = family_form(bow.family).graded_by_curvature;
+  const BowGrid grid = bow_grid(surface, panel, well_shaped);
+  return HullBuilder(surface, grid, bow.L, panel, well_shaped).build();
 }
 
 }  // namespace icebow

@@ -80,6 +80,20 @@ TEST_CASE("panels of every preset are flat and not drawn out") {
   }
 }
 
+TEST_CASE("behind the bow panels are not drawn out without limit, and no column or row is lost on one side") {
+  for (const BowFamily family : all_families()) {
+    if (!family_form(family).graded_by_curvature) continue;  // meshes of published loads stay as they are
+    CAPTURE(family_form(family).key);
+    BowParameters bow = preset_bow(family);
+    for (double panels : {60.0, 20.0}) {
+      bow.panel = bow.B / panels;
+      const QuadMesh mesh = bow_mesh(bow);
+      CHECK(check_mesh(mesh).max_aspect < (panels == 60.0 ? 20.0 : 25.0));
+      CHECK_FALSE(place_without_mirror_image(mesh, 1e-9 * bow.B).has_value());
+    }
+  }
+}
+
 TEST_CASE("panels shrink where the bow turns, but not below half the wanted size") {
   BowParameters bow = preset_bow(BowFamily::flat);  // its waterline turns round the corner at the side
   bow.panel = bow.B / 20.0;
