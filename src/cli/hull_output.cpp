@@ -27,6 +27,10 @@ Kind kind_of(const std::string& path) {
                                                          : Kind::unknown;
 }
 
+std::string both(const std::string& title, const std::optional<OverlaidBow>& overlaid) {
+  return overlaid ? title + " and " + overlaid->name : title;
+}
+
 std::string drawing(const Hull& hull, const BowParameters& bow, const std::string& title,
                     const std::optional<OverlaidBow>& overlaid, DrawnFor reader) {
   if (!overlaid) return lines_plan_svg(hull, bow, title, reader);
@@ -34,7 +38,7 @@ std::string drawing(const Hull& hull, const BowParameters& bow, const std::strin
   if (second.status != HullStatus::ok)
     throw InputError("--overlay " + overlaid->name + ": no hull: " + second.reason);
   return overlaid_lines_plan_svg({hull, bow, title}, {second, overlaid->bow, overlaid->name},
-                                 title + " and " + overlaid->name, reader);
+                                 both(title, overlaid), reader);
 }
 
 }  // namespace
@@ -89,7 +93,7 @@ void write_hull_output(const std::string& path, const Hull& hull, const BowParam
       write_text_file(path, drawing(hull, bow, title, overlaid, DrawnFor::screen));
       break;
     case Kind::pdf:
-      write_pdf(path, drawing(hull, bow, title, overlaid, DrawnFor::print), title);
+      write_pdf(path, drawing(hull, bow, title, overlaid, DrawnFor::print), both(title, overlaid));
       break;
     default:
       write_mesh(path, hull.mesh);

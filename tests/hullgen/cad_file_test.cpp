@@ -106,9 +106,9 @@ Vec3 normal_at(const TopoDS_Shape& shape, const Vec3& p) {
 // Of x + S(y, z) = 0 the normal is (1, S_y, S_z); S_y is the cotangent of the waterline angle, -S_z that of
 // stem or buttock.
 BowAngles angles(const TopoDS_Shape& shape, const QuadMesh& mesh, double beam) {
-  Vec3 P1 = Vec3::Zero();
+  Vec3 P1(-1e9, 0.0, 0.0);  // the transom has such a point too
   for (const Vec3& p : mesh.points)
-    if (std::abs(p.y() - beam / 4.0) < 1e-6 && std::abs(p.z()) < 1e-9) P1 = p;
+    if (std::abs(p.y() - beam / 4.0) < 1e-6 && std::abs(p.z()) < 1e-9 && p.x() > P1.x()) P1 = p;
   const Vec3 stem = normal_at(shape, Vec3::Zero()), quarter = normal_at(shape, P1);
   BowAngles a;
   a.stem = std::atan2(stem.x(), -stem.z());
