@@ -30,6 +30,7 @@
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
 #include "hullgen/family.h"
+#include "paper_bows.h"
 
 using namespace icebow;
 
@@ -171,6 +172,25 @@ TEST_CASE("IGES: trimmed surfaces in metres that sew to a closed shell on the me
     CHECK(std::abs(properties.Mass()) / (mm * mm * mm) == Approx(volume).epsilon(1e-5));
     CHECK(deviation(sewing.SewedShape(), mesh, 41) < 1e-5 * bow.L);
     CHECK(degrees(largest_difference(bow.angles, angles(faces, mesh, bow_beam(bow)))) < 0.05);
+  }
+}
+
+TEST_CASE("random feasible bows of every family close to a valid solid") {
+  const Scratch scratch;
+  for (const BowFamily family : all_families()) {
+    CAPTURE(family_form(family).key);
+    std::mt19937 random(500u + static_cast<unsigned>(family));
+    int feasible = 0;
+    for (int tried = 0; feasible < 3 && tried < 10000; ++tried) {
+      BowParameters bow = random_bow(family, random);
+      if (!check_feasibility(bow).feasible) continue;
+      ++feasible;
+      bow.panel = bow.B / 60.0;
+      const double volume =
+          write_cad(scratch.file("hull.step"), hull_surfaces(bow), "h");  // throws where not
+      CHECK(volume == Approx(enclosed_volume(bow_mesh(bow))).epsilon(3e-3));
+    }
+    CHECK(feasible == 3);
   }
 }
 
