@@ -1,6 +1,7 @@
 #include "hullgen/lines_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
 #include "hullgen/bow_surface.h"
@@ -48,7 +49,7 @@ std::string dimensions(const BowParameters& bow) {
 }
 
 // A table of the four angles: asked for, measured, and where.
-void draw_table(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParameters& bow) {
+void draw_table(SvgCanvas& svg, Pixel corner, const Hull& hull) {
   const double columns[] = {corner.x, corner.x + 150.0, corner.x + 220.0, corner.x + 236.0};
   double y = corner.y;
   svg.text({columns[0], y}, "Angle [deg]", Anchor::start, "heading");
@@ -63,11 +64,13 @@ void draw_table(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParamet
     svg.text({columns[2], y + 4.0}, text("%.2f", degrees(measured)), Anchor::end, "cell");
     svg.text({columns[3], y + 4.0}, where, Anchor::start, "cell quiet");
   };
-  const auto asked = [](double angle) { return text("%.2f", degrees(angle)); };
-  row("stem", asked(bow.angles.stem), hull.measured.stem, "CL, DWL");
-  row("waterline", asked(bow.angles.waterline), hull.measured.waterline, "CL, DWL");
-  row("buttock", asked(bow.angles.buttock), hull.measured.buttock, "B/4, DWL");
-  row("flare", asked(bow.angles.flare), hull.measured.flare, "B/4, DWL");
+  const auto asked = [](double angle) {
+    return std::isfinite(angle) ? text("%.2f", degrees(angle)) : std::string("\u2013");
+  };
+  row("stem", asked(hull.requested.stem), hull.measured.stem, "CL, DWL");
+  row("waterline", asked(hull.requested.waterline), hull.measured.waterline, "CL, DWL");
+  row("buttock", asked(hull.requested.buttock), hull.measured.buttock, "B/4, DWL");
+  row("flare", asked(hull.requested.flare), hull.measured.flare, "B/4, DWL");
   row("waterline", "derived", hull.waterline_at_quarter_beam, "B/4, DWL");
   row("flare", "derived", hull.flare_at_stem, "CL, DWL");
 }
@@ -104,7 +107,7 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   svg.text({left_margin, 36.0}, title, Anchor::start, "title");
   svg.text({left_margin, 60.0}, dimensions(bow), Anchor::start, "cell");
   svg.text({left_margin, 80.0},
-           std::string(family_form(bow.family).name) +
+           hull.form +
                "; full scale, metres from the stem at the "
                "design waterline",
            Anchor::start, "quiet");
@@ -117,7 +120,7 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   draw_profile(svg, body, profile);
   draw_half_breadth(svg, body, plan);
   draw_body_plan(svg, body, body_plan);
-  draw_table(svg, {right, table_top}, hull, bow);
+  draw_table(svg, {right, table_top}, hull);
   return svg.svg();
 }
 

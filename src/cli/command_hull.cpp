@@ -11,6 +11,7 @@
 #include "cli/text_table.h"
 #include "hullgen/lines_plan.h"
 #include "hullgen/mesh_io.h"
+#include "study/case_hull.h"
 #include "study/result_json.h"
 
 namespace icebow {
@@ -42,11 +43,13 @@ void write_hull(const std::string& path, const Hull& hull, const BowParameters& 
   }
 }
 
-std::string angle_rows(const BowAngles& asked, const Hull& hull) {
+std::string angle_rows(const Hull& hull) {
+  const BowAngles& asked = hull.requested;
   const bool measured = hull.status != HullStatus::infeasible;
   std::vector<std::vector<std::string>> rows = {{"angle, deg", "requested", "measured"}};
   const auto add = [&](const char* name, double wanted, double found) {
-    rows.push_back({name, decimals(degrees(wanted), 3), measured ? decimals(degrees(found), 3) : "-"});
+    rows.push_back({name, std::isfinite(wanted) ? decimals(degrees(wanted), 3) : "-",
+                    measured ? decimals(degrees(found), 3) : "-"});
   };
   add("stem", asked.stem, hull.measured.stem);
   add("waterline", asked.waterline, hull.measured.waterline);
@@ -98,10 +101,14 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
+  if (chosen.description.own.given() && arguments.has("--explain"))
+    throw InputError(
+        "--explain says what limits the angles of a generated bow; this design's hull is imported");
   const Flotation at = flotation(arguments, bow);
-  const Hull hull = make_hull(bow);
-  Json json = hull_json(hull, bow);
+  const Hull hull = make_hull(chosen.description);
+  Json json = hull_json(hull);
   json["design"] = chosen.design.name;
+  if (chosen.description.own.given()) json["imported"] = imported_json(chosen.description.own);
   if (hull.status == HullStatus::ok && !path.empty())
     write_hull(path, hull, bow, drawing_title(spec, chosen));
   std::string more;
@@ -118,7 +125,7 @@ int run_hull(const Communicator&, const Arguments& arguments) {
     std::cout << json.dump(2) << "\n";
   } else {
     std::cout << chosen.design.name << "\n\n"
-              << angle_rows(bow.angles, hull) << "\n"
+              << angle_rows(hull) << "\n"
               << margin_rows(hull.feasibility) << mesh_row(json.at("mesh")) << more;
   }
   if (hull.status == HullStatus::ok) return exit_code::ok;
