@@ -44,7 +44,7 @@ constexpr const char* style = R"(
 
 std::string dimensions(const BowParameters& bow) {
   return text(
-      "L %g m \u00b7 B %g m \u00b7 T %g m \u00b7 D %g m \u00b7 bow length on the design waterline %g m",
+      "L %g m \u00b7 B %g m \u00b7 T %g m \u00b7 D %g m \u00b7 bow length on the design waterline %.5g m",
       bow.L, bow.B, bow.T, bow.D, bow.Lf);
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("the measured angles become the asked ones") {
       INFO(family_form(family).key << ": " << bow.reason);
       REQUIRE(bow.status == HullStatus::ok);
       const double error = degrees(largest_difference(bow.measured, asked));
-      CHECK(error < 0.01);
+      CHECK(error < 0.001);
       CHECK(check_mesh(bow.mesh).ok());
     }
   }
