@@ -46,6 +46,25 @@ HullMeasurement measured(const QuadMesh& mesh, const std::string& file) {
   return m;
 }
 
+// The angles are read on port, and B/4 is counted from y = 0.
+void require_symmetry(const QuadMesh& mesh, double beam, const std::string& file) {
+  double twice_area = 0.0, six_moments = 0.0;  // of the waterplane, by the shoelace formula
+  for (const Polyline& loop : slice(mesh, 2, 0.0))
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
+      const Vec3 &p = loop[k], &q = loop[k + 1];
+      const double cross = p.x() * q.y() - q.x() * p.y();
+      twice_area += cross;
+      six_moments += (p.y() + q.y()) * cross;
+    }
+  const double off = six_moments / (3.0 * twice_area);
+  if (std::abs(off) <= 1e-3 * beam) return;
+  throw InputError(
+      text("%s: the waterplane's centroid is %g m to %s of the centre plane: the two sides of a hull must be "
+           "alike; "
+           "mend the file, or import one side of it, mirrored",
+           file.c_str(), std::abs(off), off > 0.0 ? "port" : "starboard"));
+}
+
 // Where the waterline first has its full breadth, and where it ends [x, m].
 struct WaterlineEnds {
   double shoulder, aft;
@@ -57,8 +76,9 @@ WaterlineEnds waterline_ends(const QuadMesh& mesh, double beam) {
     for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
       const Vec3 &p = loop[k], &q = loop[k + 1];
       ends.aft = std::min(ends.aft, p.x());
-      if ((p.y() >= y) == (q.y() >= y)) continue;
-      ends.shoulder = std::max(ends.shoulder, p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
+      const double from = std::abs(p.y()), to = std::abs(q.y());
+      if ((from >= y) == (to >= y)) continue;
+      ends.shoulder = std::max(ends.shoulder, p.x() + (y - from) / (to - from) * (q.x() - p.x()));
     }
   return ends;
 }
@@ -97,6 +117,7 @@ ImportedHull import_hull(const std::string& file, const MeshFrame& frame, bool m
   for (Vec3& p : hull.mesh.points) p.x() -= hull.stem;
   hull.measured.P0.x() -= hull.stem;
   hull.measured.P1.x() -= hull.stem;
+  require_symmetry(hull.mesh, hull.measured.beam, file);
   const WaterlineEnds ends = waterline_ends(hull.mesh, hull.measured.beam);
   const Box box = bounding_box(hull.mesh);
   hull.L = -ends.aft;

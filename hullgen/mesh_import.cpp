@@ -27,6 +27,12 @@ PolygonMesh read_soup(const std::string& path) {
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(path, points, polygons) || polygons.empty())
     throw InputError(path + ": is not a mesh that can be read: export it again as STL, PLY or OBJ");
+  for (const auto& polygon : polygons)
+    for (const std::size_t corner : polygon)
+      if (corner >= points.size())
+        throw InputError(
+            text("%s: a panel names the point %zu, but there are %zu, counted from 0: export it again",
+                 path.c_str(), corner, points.size()));
   PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
   PolygonMesh mesh;
   for (const Point& p : points) mesh.points.push_back(Vec3(p.x(), p.y(), p.z()));
@@ -63,6 +69,10 @@ void add_panel(QuadMesh& mesh, const Corners& c, Patch patch) {
 QuadMesh of_quads(const PolygonMesh& polygons, const std::string& path, int& split) {
   QuadMesh mesh;
   mesh.points = polygons.points;
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    if (!mesh.points[k].allFinite())
+      throw InputError(text("%s: point %zu has a coordinate that is not a finite number: export it again",
+                            path.c_str(), k + 1));
   for (std::size_t k = 0; k < polygons.polygons.size(); ++k) {
     const Corners& polygon = polygons.polygons[k];
     if (polygon.size() <= 4) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "study/spec_hints.h"
 
 namespace icebow {
 namespace {
@@ -49,6 +50,24 @@ void take_ship(const Section& s, const ImportedHull& hull, BowParameters& bow) {
                 asked("flare", own.flare)};
 }
 
+// What a wrong unit or axis makes of a ship: out of the ranges a generated one has, or broader than long.
+bool plausible(const Section& s, const ImportedHull& hull, Mistakes& mistakes) {
+  const std::size_t before = mistakes.size();
+  const auto refuse = [&](const std::string& why) { mistakes.push_back({s.pointer("file"), why}); };
+  for (const auto& [name, metres] : std::map<std::string, double>{
+           {"length", hull.L}, {"beam", hull.B}, {"draft", hull.T}, {"depth", hull.D}}) {
+    const Key& key = *find_key("bow", name);
+    if (metres < key.lower || metres > key.upper)
+      refuse("is a hull of " + brief(metres) + " m " + name + ", allowed " +
+             range_in_words(key, units_of(key.quantity).front()) +
+             ": is /hull/unit the unit of its coordinates, and /hull/factor what makes them full scale?");
+  }
+  if (mistakes.size() == before && hull.B >= hull.L)
+    refuse("is a hull of " + brief(hull.B) + " m beam and " + brief(hull.L) +
+           " m length: do /hull/forward and /hull/up name the file's axes?");
+  return mistakes.size() == before;
+}
+
 void make_absolute(Json& section, const fs::path& directory) {
   if (!section.is_object() || !section.contains("file") || !section.at("file").is_string()) return;
   const fs::path file = section.at("file").get<std::string>();
@@ -75,7 +94,7 @@ void read_hull(const Json& document, Case& c, Mistakes& mistakes) {
   if (!s.good()) return;
   try {
     c.own = load_own_hull(s.text("file", ""), frame, s.boolean("mirror"));
-    take_ship(s, *c.own.imported, c.bow);
+    if (plausible(s, *c.own.imported, mistakes)) take_ship(s, *c.own.imported, c.bow);
   } catch (const InputError& error) {
     mistakes.push_back({s.pointer("file"), error.what()});
   }

@@ -131,6 +131,23 @@ TEST_CASE("panels are bow, side, bottom, deck or transom by where they lie") {
   CHECK(count(Patch::transom) == 1);
 }
 
+TEST_CASE("a file with corners or coordinates that are none is refused") {
+  const Scratch scratch;
+  const auto ply = [&](const char* point, const char* panel) {
+    write_text_file(
+        scratch.file("bad.ply"),
+        std::string("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+                    "property double z\nelement face 4\nproperty list uchar int vertex_indices\n"
+                    "end_header\n0 0 0\n1 0 0\n0 1 0\n") +
+            point + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n" + panel + "\n");
+    int split = 0;
+    return read_mesh(scratch.file("bad.ply"), split);
+  };
+  CHECK(ply("0 0 1", "3 2 0 3").quads.size() == 4);
+  CHECK_THROWS_AS(ply("0 0 1", "3 2 0 9"), InputError);
+  CHECK_THROWS_AS(ply("0 0 nan", "3 2 0 3"), InputError);
+}
+
 TEST_CASE("files that are no hull are refused in words") {
   const Scratch scratch;
   const auto refusal = [&](std::string obj, const MeshFrame& frame = {}, bool mirror = false) {
@@ -150,6 +167,10 @@ TEST_CASE("files that are no hull are refused in words") {
   high.waterline = 3.0;
   CHECK_THAT(refusal(wedge, high), Catch::Contains("bad.obj") && Catch::Contains("does not cut the hull"));
   CHECK_THAT(refusal(wedge, {}, true), Catch::Contains("both sides already"));
+  std::string broad = wedge;  // on port alone
+  for (const char* at : {"v -20 2 -1", "v -20 2 1"})
+    broad.replace(broad.find(at), std::string(at).size(), std::string(at).replace(6, 1, "3"));
+  CHECK_THAT(refusal(broad), Catch::Contains("of the centre plane") && Catch::Contains("mirrored"));
   // A second box that reaches into the first.
   std::string two = wedge;
   for (const char* v :

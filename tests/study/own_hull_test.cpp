@@ -148,6 +148,8 @@ TEST_CASE("what is wrong with a hull is said with its place in the study") {
                                                                       Catch::Contains("not closed") &&
                                                                       Catch::Contains("\"mirror\": true"));
   CHECK_THAT(mistakes(document(R"({"hull": {"up": "-x"}})")), Catch::Contains("/hull/up"));
+  CHECK_THAT(mistakes(document(R"({"hull": {"unit": "mm", "draft_m": null, "waterline_height_mm": 6.5}})")),
+             Catch::Contains("0.08 m length") && Catch::Contains("/hull/unit"));
   CHECK_THAT(mistakes(document(R"({"hull": {"unit": "mm"}})")),
              Catch::Contains("does not cut the hull") && Catch::Contains("unit"));
   const Json swept =
