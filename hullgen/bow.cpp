@@ -16,6 +16,8 @@ BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, 
 
 Hull make_hull(const BowParameters& bow) {
   Hull hull;
+  hull.form = family_form(bow.family).name;
+  hull.requested = bow.angles;
   hull.feasibility = check_feasibility(bow);
   hull.reason = hull.feasibility.reason;
   if (!hull.feasibility.feasible) return hull;

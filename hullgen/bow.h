@@ -79,9 +79,11 @@ enum class HullStatus { ok, infeasible, mesh_rejected };
 struct Hull {
   HullStatus status = HullStatus::infeasible;
   std::string reason;  // why there is no mesh
+  std::string form;    // in words, for drawings: the family, or the file it comes from
   BowFeasibility feasibility;
-  QuadMesh mesh;       // closed, oriented outward, free of self-intersections where status is ok
-  BowAngles measured;  // read back from the mesh
+  BowAngles requested;  // NaN: nothing asked
+  QuadMesh mesh;        // closed, oriented outward, free of self-intersections where status is ok
+  BowAngles measured;   // read back from the mesh
   double waterline_at_quarter_beam = 0.0;  //!< derived angle at P1 [rad]
   double flare_at_stem = 0.0;              //!< derived angle at P0 [rad]
 };

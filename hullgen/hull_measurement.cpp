@@ -82,14 +82,16 @@ Row both(const Cut& cut, double same) {
   return row;
 }
 
-// Slope at `at` of the least-squares parabola through the samples within the window, at least three.
+// Slope at `at` of the least-squares parabola through the samples within the window, at least three; where
+// there are only two, of the panel between them.
 double slope(Row row, double at, double window) {
   std::sort(row.begin(), row.end(), [at](const Sample& a, const Sample& b) {
     return std::abs(a.along - at) < std::abs(b.along - at);
   });
   std::size_t n = 0;
   while (n < row.size() && (n < 3 || std::abs(row[n].along - at) <= window)) ++n;
-  if (n < 3) return std::numeric_limits<double>::quiet_NaN();
+  if (n < 2) return std::numeric_limits<double>::quiet_NaN();
+  if (n == 2) return (row[1].s - row[0].s) / (row[1].along - row[0].along);
   Eigen::MatrixX3d powers(n, 3);
   Eigen::VectorXd s(n);
   for (std::size_t k = 0; k < n; ++k) {

@@ -16,8 +16,9 @@ struct HullMeasurement {
 // At the waterline z = 0 of a closed hull symmetric about y = 0, on its port side. The profile (y = 0), the
 // waterline and the buttock at B/4 are cut from the panels; each slope is that of the least-squares parabola
 // through the corners of the cut line within B/40, at least three and B/200 apart, one-sided for the
-// waterline, which has a crease at the stem and may have a jump of curvature at B/4. An angle that cannot be
-// read is NaN. Throws InputError where the waterline does not cut the hull, or the bow has no profile on it.
+// waterline (the slope of the panel where a cut has two corners only), which has a crease at the stem and may
+// have a jump of curvature at B/4. An angle that cannot be read is NaN. Throws InputError where the waterline
+// does not cut the hull, or the bow has no profile on it.
 HullMeasurement measure_hull(const QuadMesh& mesh);
 
 }  // namespace icebow

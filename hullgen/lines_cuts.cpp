@@ -26,6 +26,18 @@ std::vector<LineOfView> stations(const std::vector<double>& distances) {
   return lines;
 }
 
+// x of the design waterline at a half-breadth.
+double foremost_on_waterline(const QuadMesh& mesh, double y) {
+  double x = -std::numeric_limits<double>::infinity();
+  for (const Polyline& loop : slice(mesh, 2, 0.0))
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
+      const Vec3 &p = loop[k], &q = loop[k + 1];
+      if ((p.y() >= y) == (q.y() >= y)) continue;
+      x = std::max(x, p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
+    }
+  return x;
+}
+
 }  // namespace
 
 std::vector<double> multiples(double step, double from, double to) {
@@ -45,17 +57,15 @@ std::string metres(double value) {
 
 ForeBody fore_body(const Hull& hull, const BowParameters& bow) {
   ForeBody b{hull, bow, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, {}};
-  double nearest = std::numeric_limits<double>::infinity();  // to P1
   for (std::size_t q = 0; q < hull.mesh.quads.size(); ++q) {
     if (hull.mesh.patch[q] != Patch::bow) continue;
     for (int corner : hull.mesh.quads[q]) {
       const Vec3& p = hull.mesh.points[corner];
       b.tip = std::min(b.tip, -p.x());
       b.end = std::max(b.end, -p.x());
-      const double away = std::hypot(p.y() - bow_beam(bow) / 4.0, p.z());
-      if (away < nearest) nearest = away, b.s1 = -p.x();
     }
   }
+  b.s1 = -foremost_on_waterline(hull.mesh, bow_beam(bow) / 4.0);
   b.waterline_step = round_step(bow.T / 3.5);
   b.station_step = round_step((bow.Lf - b.tip) / 7.0);
   b.aft_station_step = round_step(std::max(b.end - bow.Lf, 1.0) / 4.0);

@@ -1,9 +1,9 @@
 #include "hullgen/lines_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
-#include "hullgen/family.h"
 #include "hullgen/lines_style.h"
 #include "hullgen/lines_views.h"
 #include "hullgen/text.h"
@@ -18,7 +18,7 @@ constexpr double title_height = 98.0, label_room = 40.0, scale_room = 62.0, row_
 
 std::string dimensions(const BowParameters& bow) {
   return text(
-      "L %g m \u00b7 B %g m \u00b7 T %g m \u00b7 D %g m \u00b7 bow length on the design waterline %g m",
+      "L %g m \u00b7 B %g m \u00b7 T %g m \u00b7 D %g m \u00b7 bow length on the design waterline %.5g m",
       bow.L, bow.B, bow.T, bow.D, bow.Lf);
 }
 
@@ -51,13 +51,13 @@ class Table {
 };
 
 std::string degree_text(double angle) {
-  return text("%.2f", degrees(angle));
+  return std::isfinite(angle) ? text("%.2f", degrees(angle)) : std::string("\u2013");
 }
 
 // Asked for, measured, and where.
-void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& hull, const BowParameters& bow) {
+void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& hull) {
   Table table(svg, corner);
-  const BowAngles &a = bow.angles, &m = hull.measured;
+  const BowAngles &a = hull.requested, &m = hull.measured;
   table.head("Angle [deg]", "asked", "mesh", "at");
   table.row("stem", degree_text(a.stem), degree_text(m.stem), "CL, DWL");
   table.row("waterline", degree_text(a.waterline), degree_text(m.waterline), "CL, DWL");
@@ -133,7 +133,7 @@ void draw_views(SvgCanvas& svg, const Sheet& sheet, const ForeBody& body) {
 void draw_legend(SvgCanvas& svg, double y, const NamedHull& hull) {
   svg.line({left_margin, y - 4.0}, {left_margin + 44.0, y - 4.0}, "outline");
   svg.text({left_margin + 56.0, y},
-           hull.name + ": " + family_form(hull.bow.family).name + ", " + dimensions(hull.bow), Anchor::start,
+           hull.name + ": " + hull.hull.form + ", " + dimensions(hull.bow), Anchor::start,
            "cell");
 }
 
@@ -148,13 +148,13 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   svg.text({left_margin, 36.0}, title, Anchor::start, "title");
   svg.text({left_margin, 60.0}, dimensions(bow), Anchor::start, "cell");
   svg.text({left_margin, 80.0},
-           std::string(family_form(bow.family).name) +
+           hull.form +
                "; full scale, metres from the stem at the "
                "design waterline",
            Anchor::start, "quiet");
   draw_headings(svg, sheet, body.extent.low);
   draw_views(svg, sheet, body);
-  draw_angles(svg, {Sheet::right, sheet.table_top}, hull, bow);
+  draw_angles(svg, {Sheet::right, sheet.table_top}, hull);
   return svg.svg();
 }
 

@@ -8,8 +8,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
+#include "hullgen/text.h"
 #include "hullgen/triangles.h"
 
 namespace icebow {
@@ -58,6 +60,24 @@ SurfaceMesh surface_mesh(const QuadMesh& mesh, const std::vector<std::array<int,
   return result;
 }
 
+Vec3 centre(const SurfaceMesh& surface, SurfaceMesh::Face_index face) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto v : surface.vertices_around_face(surface.halfedge(face))) {
+    const Kernel::Point_3& p = surface.point(v);
+    sum += Vec3(p.x(), p.y(), p.z()) / 3.0;
+  }
+  return sum;
+}
+
+void find_intersections(const SurfaceMesh& surface, MeshCheck& check) {
+  check.self_intersecting = PMP::does_self_intersect(surface);
+  if (!check.self_intersecting) return;
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  PMP::self_intersections(surface, std::back_inserter(pairs));
+  check.intersections = static_cast<int>(pairs.size());
+  check.intersection = 0.5 * (centre(surface, pairs.front().first) + centre(surface, pairs.front().second));
+}
+
 struct Shape {
   double warp = 0.0, aspect = 1.0;
 };
@@ -87,7 +107,9 @@ Shape shape(const QuadMesh& mesh, std::size_t quad) {
 std::string MeshCheck::reason() const {
   if (!valid_polygon_mesh) return "the mesh is not an oriented manifold surface";
   if (!closed) return "the mesh is not closed";
-  if (self_intersecting) return "the mesh intersects itself";
+  if (self_intersecting)
+    return text("the mesh intersects itself: %d pairs of triangles cross, one at (%g, %g, %g) m",
+                intersections, intersection.x(), intersection.y(), intersection.z());
   if (!outward) return "the mesh does not bound a volume with its normals outward";
   return "";
 }
@@ -111,7 +133,7 @@ MeshCheck check_mesh(const QuadMesh& mesh) {
   if (!check.valid_polygon_mesh) return check;
   const SurfaceMesh surface = surface_mesh(mesh, facets);
   check.closed = CGAL::is_closed(surface);
-  check.self_intersecting = PMP::does_self_intersect(surface);
+  find_intersections(surface, check);
   check.outward = check.closed && !check.self_intersecting && PMP::does_bound_a_volume(surface) &&
                   PMP::is_outward_oriented(surface);
   return check;

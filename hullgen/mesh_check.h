@@ -10,8 +10,10 @@ namespace icebow {
 struct MeshCheck {
   bool valid_polygon_mesh = false;
   bool closed = false;
-  bool outward = false;            // bounds a volume with outward orientation
-  bool self_intersecting = false;  // tested on the triangulated mesh
+  bool outward = false;              // bounds a volume with outward orientation
+  bool self_intersecting = false;    // tested on the triangulated mesh
+  int intersections = 0;             // pairs of triangles that cross
+  Vec3 intersection = Vec3::Zero();  //!< where the first of them is [m]
   double max_warp = 0.0;  // largest distance of a quad's corner from its mean plane over its mean edge length
   double max_aspect = 0.0;      // largest ratio of a quad's longest to its shortest edge
   double max_bow_aspect = 0.0;  // the same among the patches bow and reamer, which break the ice

@@ -1,15 +1,16 @@
 #include "hullgen/mesh_import.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "base/errors.h"
-#include "hullgen/mesh_check.h"
 #include "hullgen/mesh_io.h"
 #include "hullgen/text.h"
 
@@ -17,83 +18,107 @@ namespace icebow {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Corners = std::vector<int>;
 
 // By CGAL; it says of a file it cannot read only that it could not.
-QuadMesh read_soup(const std::string& path) {
+PolygonMesh read_soup(const std::string& path) {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(path, points, polygons) || polygons.empty())
     throw InputError(path + ": is not a mesh that can be read: export it again as STL, PLY or OBJ");
+  for (const auto& polygon : polygons)
+    for (const std::size_t corner : polygon)
+      if (corner >= points.size())
+        throw InputError(
+            text("%s: a panel names the point %zu, but there are %zu, counted from 0: export it again",
+                 path.c_str(), corner, points.size()));
   PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  QuadMesh mesh;
+  PolygonMesh mesh;
   for (const Point& p : points) mesh.points.push_back(Vec3(p.x(), p.y(), p.z()));
-  for (const auto& p : polygons) {
-    if (p.size() != 3 && p.size() != 4)
-      throw InputError(
-          text("%s: a panel has %zu corners: split it into triangles or quads", path.c_str(), p.size()));
-    const auto corner = [&p](std::size_t k) { return static_cast<int>(p[std::min(k, p.size() - 1)]); };
-    mesh.quads.push_back({corner(0), corner(1), corner(2), corner(3)});
-  }
-  mesh.patch.assign(mesh.quads.size(), Patch::other);
+  for (const auto& p : polygons) mesh.polygons.emplace_back(p.begin(), p.end());
+  mesh.patch.assign(mesh.polygons.size(), Patch::other);
   return mesh;
 }
 
-void turn_over(QuadMesh& mesh) {
-  for (std::size_t k = 0; k < mesh.quads.size(); ++k) {
-    auto& q = mesh.quads[k];
-    q = mesh.is_triangle(k) ? std::array<int, 4>{q[0], q[2], q[1], q[1]}
-                            : std::array<int, 4>{q[0], q[3], q[2], q[1]};
+// A polygon in triangles, by a Delaunay triangulation of its shadow on its mean plane; none where it has no
+// shadow without crossings.
+std::vector<Corners> triangles_of(const std::vector<Vec3>& points, const Corners& polygon) {
+  CGAL::Surface_mesh<Point> surface;
+  std::vector<CGAL::Surface_mesh<Point>::Vertex_index> vertices;
+  for (const int k : polygon)
+    vertices.push_back(surface.add_vertex(Point(points[k].x(), points[k].y(), points[k].z())));
+  const auto face = surface.add_face(vertices);
+  std::vector<Corners> result;
+  if (face == surface.null_face() || !PMP::triangulate_face(face, surface)) return result;
+  for (const auto f : surface.faces()) {
+    Corners corners;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f)))
+      corners.push_back(polygon[static_cast<std::size_t>(v)]);
+    result.push_back(corners);
   }
+  const bool all = std::all_of(result.begin(), result.end(), [](const Corners& c) { return c.size() == 3; });
+  return all ? result : std::vector<Corners>();
 }
 
-// Directed edges that no neighbour runs the other way.
-std::string open_edges(const QuadMesh& mesh) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& q : mesh.quads)
-    for (int k = 0; k < 4; ++k)
-      if (q[k] != q[(k + 1) % 4]) ++edges[{q[k], q[(k + 1) % 4]}];
-  int open = 0;
-  Vec3 where = Vec3::Zero();
-  for (const auto& [edge, count] : edges) {
-    if (edges.count({edge.second, edge.first}) > 0) continue;
-    if (open++ == 0) where = 0.5 * (mesh.points[edge.first] + mesh.points[edge.second]);
+void add_panel(QuadMesh& mesh, const Corners& c, Patch patch) {
+  mesh.quads.push_back({c[0], c[1], c[2], c.back()});
+  mesh.patch.push_back(patch);
+}
+
+QuadMesh of_quads(const PolygonMesh& polygons, const std::string& path, int& split) {
+  QuadMesh mesh;
+  mesh.points = polygons.points;
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    if (!mesh.points[k].allFinite())
+      throw InputError(text("%s: point %zu has a coordinate that is not a finite number: export it again",
+                            path.c_str(), k + 1));
+  for (std::size_t k = 0; k < polygons.polygons.size(); ++k) {
+    const Corners& polygon = polygons.polygons[k];
+    if (polygon.size() <= 4) {
+      if (polygon.size() > 2) add_panel(mesh, polygon, polygons.patch[k]);
+      continue;
+    }
+    const std::vector<Corners> parts = triangles_of(mesh.points, polygon);
+    const Vec3& p = mesh.points[polygon[0]];
+    if (parts.empty())
+      throw InputError(
+          text("%s: a panel of %zu corners, one of them at (%g, %g, %g) in the file's coordinates, crosses "
+               "itself or has no area: export the mesh as triangles",
+               path.c_str(), polygon.size(), p.x(), p.y(), p.z()));
+    for (const Corners& part : parts) add_panel(mesh, part, polygons.patch[k]);
+    ++split;
   }
-  return text(
-      "%d open edges, one at (%g, %g, %g) m in the frame of the hull: close deck and transom, and weld "
-      "points that should be one",
-      open, where.x(), where.y(), where.z());
+  return mesh;
 }
 
 }  // namespace
 
-QuadMesh read_mesh(const std::string& path) {
+QuadMesh read_mesh(const std::string& path, int& split) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".obj" && ending != ".stl" && ending != ".ply")
     throw InputError(path + ": no mesh format that can be read; the name must end in .obj, .stl or .ply");
   if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": no such file");
-  return ending == ".obj" ? read_obj(path) : read_soup(path);
+  return of_quads(ending == ".obj" ? read_obj(path) : read_soup(path), path, split);
 }
 
 QuadMesh in_hull_frame(const QuadMesh& mesh, const MeshFrame& frame) {
-  const Vec3 port = frame.up.cross(frame.forward);
+  const Vec3 port = (frame.left_handed ? -1.0 : 1.0) * frame.up.cross(frame.forward);
   QuadMesh result = mesh;
-  for (Vec3& p : result.points)
-    p = frame.unit * Vec3(p.dot(frame.forward), p.dot(port), p.dot(frame.up)) - Vec3(0, 0, frame.waterline);
-  const Box box = bounding_box(result);
+  for (Vec3& p : result.points) p = frame.unit * Vec3(p.dot(frame.forward), p.dot(port), p.dot(frame.up));
+  const double lowest = bounding_box(result).lower.z();
+  const double waterline = frame.draft > 0.0 ? lowest + frame.draft : frame.waterline;
+  for (Vec3& p : result.points) p.z() -= waterline;
+  return result;
+}
+
+QuadMesh centred(const QuadMesh& mesh) {
+  QuadMesh result = mesh;
+  const Box box = bounding_box(mesh);
   const double middle = 0.5 * (box.lower.y() + box.upper.y());
   if (std::abs(middle) > 1e-6 * (box.upper.y() - box.lower.y()))
     for (Vec3& p : result.points) p.y() -= middle;
   return result;
-}
-
-QuadMesh outward(const QuadMesh& mesh, const std::string& path) {
-  QuadMesh result = mesh;
-  if (enclosed_volume(mesh) < 0.0) turn_over(result);
-  const MeshCheck check = check_mesh(result);
-  if (check.ok()) return result;
-  throw InputError(path + ": " + check.reason() +
-                   (check.valid_polygon_mesh && !check.closed ? ": " + open_edges(result) : ""));
 }
 
 }  // namespace icebow

@@ -24,7 +24,7 @@ class ObjReader {
  public:
   explicit ObjReader(const std::string& path) : path_(path), lines_(read_text_file(path)) {}
 
-  QuadMesh read() {
+  PolygonMesh read() {
     for (std::string line; std::getline(lines_, line);) {
       ++number_;
       std::istringstream words(line);
@@ -49,25 +49,31 @@ class ObjReader {
     mesh_.points.push_back(p);
   }
 
-  void read_panel(std::istringstream& words) {
+  // "7" or "7/1/2": the first number is the point. A negative one counts back from the last point so far.
+  int corner(const std::string& word) const {
     const int n = static_cast<int>(mesh_.points.size());
+    int k = 0;
+    std::from_chars(word.data(), word.data() + word.size(), k);
+    if (k < 0) k += n + 1;
+    if (k < 1 || k > n)
+      fail(text("a panel names the point \"%s\", but %d points stand above it: give 1 to %d, or -1 to -%d",
+                word.c_str(), n, n, n)
+               .c_str());
+    return k - 1;
+  }
+
+  void read_panel(std::istringstream& words) {
     std::vector<int> corners;
-    for (std::string word; words >> word;) {  // "7" or "7/1/2": the first number is the point
-      int corner = 0;
-      std::from_chars(word.data(), word.data() + word.size(), corner);
-      if (corner < 1 || corner > n) fail("a panel names a point that does not stand above it");
-      corners.push_back(corner - 1);
-    }
-    if (corners.size() == 3) corners.push_back(corners.back());
-    if (corners.size() != 4) fail("a panel needs three or four points");
-    mesh_.quads.push_back({corners[0], corners[1], corners[2], corners[3]});
+    for (std::string word; words >> word;) corners.push_back(corner(word));
+    if (corners.size() < 3) fail("a panel needs three points or more");
+    mesh_.polygons.push_back(std::move(corners));
     mesh_.patch.push_back(patch_of(group_));
   }
 
   std::string path_, group_;
   std::istringstream lines_;
   int number_ = 0;
-  QuadMesh mesh_;
+  PolygonMesh mesh_;
 };
 
 }  // namespace
@@ -84,7 +90,7 @@ void write_mesh(const std::string& path, const QuadMesh& mesh) {
   write_text_file(path, format(mesh));
 }
 
-QuadMesh read_obj(const std::string& path) {
+PolygonMesh read_obj(const std::string& path) {
   return ObjReader(path).read();
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/quad_mesh.h"
+#include "hullgen/polygon_mesh.h"
 
 namespace icebow {
 
@@ -11,8 +11,8 @@ namespace icebow {
 // where the file cannot be written.
 void write_mesh(const std::string& path, const QuadMesh& mesh);
 
-// Triangles and quads of a Wavefront OBJ; groups named as patches give the patch. Throws InputError with file
-// and line.
-QuadMesh read_obj(const std::string& path);
+// Points and panels of a Wavefront OBJ, corners counted from the first point or (negative) back from the
+// last; groups named as patches give the patch. Throws InputError with file and line.
+PolygonMesh read_obj(const std::string& path);
 
 }  // namespace icebow

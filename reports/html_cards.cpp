@@ -46,6 +46,17 @@ std::string angles_table(const Json& result) {
   return table("Angles, deg", {"requested", "measured"}, rows);
 }
 
+// Where a hull that was not generated comes from, and what was mended in its mesh.
+std::string imported_note(const Json& result) {
+  const Json& imported = part_at(result, "/hull/imported");
+  if (!imported.is_object()) return {};
+  std::string html = "<p class=\"note\">Hull imported from " + html_escaped(text_at(imported, "/file"));
+  const Json& repairs = part_at(imported, "/repairs");
+  if (repairs.is_array())
+    for (const Json& words : repairs) html += "; " + html_escaped(words.get<std::string>());
+  return html + ".</p>\n";
+}
+
 std::string loads_table(const Json& result, const LoadUnit& unit) {
   if (!std::isfinite(number_at(result, "/metrics/mean_load_N"))) return {};
   std::string rows;
@@ -209,8 +220,8 @@ std::string card(const ReportContent& content, std::size_t i) {
               : figure("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Lines plan\">" +
                            design.lines_plan + "</div>",
                        "Lines plan, full scale.", "lines");
-  html += "<div class=\"tables\">" + angles_table(result) + loads_table(result, content.unit) +
-          lindqvist_table(result, ranked, content.unit) + "</div>\n";
+  html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) +
+          loads_table(result, content.unit) + lindqvist_table(result, ranked, content.unit) + "</div>\n";
   html += picture_strip(design, ranked.evaluation.name) + "<div class=\"small-print\"><div>" +
           margins_list(result) + "</div><div>" + ice_facts(result, design.lambda) + "</div><div>" +
           simulation_facts(result, ranked.evaluation.wall_seconds) + "</div></div>\n";

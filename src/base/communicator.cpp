@@ -117,9 +117,14 @@ std::vector<double> Communicator::gather_everywhere(const std::vector<double>& o
   return all;
 }
 
-void fail_together(const Communicator& comm, const std::string& trouble) {
+std::string first_trouble(const Communicator& comm, const std::string& trouble) {
   const double turn = comm.max(trouble.empty() ? -1.0 : double(comm.size() - comm.rank()));
-  if (turn > 0.0) throw RuntimeError(comm.broadcast(trouble, comm.size() - static_cast<int>(turn)));
+  return turn > 0.0 ? comm.broadcast(trouble, comm.size() - static_cast<int>(turn)) : std::string();
+}
+
+void fail_together(const Communicator& comm, const std::string& trouble) {
+  const std::string first = first_trouble(comm, trouble);
+  if (!first.empty()) throw RuntimeError(first);
 }
 
 bool MpiSession::started_by_mpirun() {

@@ -48,6 +48,8 @@ class Communicator {
   int rank_, size_;
 };
 
+// Collective: the words of the first rank that is in trouble; empty where none is.
+std::string first_trouble(const Communicator& comm, const std::string& trouble);
 // Collective: where any rank is in trouble all throw RuntimeError, with the words of the first that is.
 void fail_together(const Communicator& comm, const std::string& trouble);
 

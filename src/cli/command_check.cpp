@@ -8,6 +8,7 @@
 #include "cli/text_table.h"
 #include "solver/simulation.h"
 #include "study/calibration.h"
+#include "study/case_hull.h"
 #include "study/spec_hints.h"
 #include "study/spec_method.h"
 
@@ -53,7 +54,7 @@ std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
 // A design as far as it is known without a mesh.
 std::string verdict_on(const PlannedDesign& planned) {
   if (!planned.mistake.empty()) return "cannot be evaluated: " + planned.mistake;
-  const BowFeasibility f = check_feasibility(read_case(planned.design.document, planned.design.name).bow);
+  const BowFeasibility f = check_feasibility(read_case(planned.design.document, planned.design.name));
   return f.feasible ? "" : "infeasible: " + f.reason;
 }
 
@@ -82,7 +83,7 @@ std::string operation_line(const Case& c) {
 // The size of one run, of the file's own design; a bow that cannot be made, or a run that cannot, is said in
 // words.
 std::string size_line(const Case& c) {
-  const Hull hull = make_hull(c.bow);
+  const Hull hull = make_hull(c);
   if (hull.status != HullStatus::ok) return "the file's own design has no hull: " + hull.reason + "\n";
   const Scenario scenario = simulated_scenario(Communicator::serial(), c);
   const RunSize size = run_size(scaled(hull.mesh, 1.0 / c.lambda), scenario);

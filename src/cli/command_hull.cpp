@@ -10,6 +10,7 @@
 #include "cli/number_option.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "study/case_hull.h"
 #include "study/result_json.h"
 
 namespace icebow {
@@ -20,11 +21,13 @@ std::string drawing_title(const StudySpec& spec, const ChosenDesign& chosen) {
   return spec.name + (chosen.design.name == "baseline" ? "" : ": " + chosen.design.name);
 }
 
-std::string angle_rows(const BowAngles& asked, const Hull& hull) {
+std::string angle_rows(const Hull& hull) {
+  const BowAngles& asked = hull.requested;
   const bool measured = hull.status != HullStatus::infeasible;
   std::vector<std::vector<std::string>> rows = {{"angle, deg", "requested", "measured"}};
   const auto add = [&](const char* name, double wanted, double found) {
-    rows.push_back({name, decimals(degrees(wanted), 3), measured ? decimals(degrees(found), 3) : "-"});
+    rows.push_back({name, std::isfinite(wanted) ? decimals(degrees(wanted), 3) : "-",
+                    measured ? decimals(degrees(found), 3) : "-"});
   };
   add("stem", asked.stem, hull.measured.stem);
   add("waterline", asked.waterline, hull.measured.waterline);
@@ -76,11 +79,19 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
+  if (chosen.description.own.given() && arguments.has("--explain"))
+    throw InputError(
+        "--explain says what limits the angles of a generated bow; this design's hull is imported");
+  if (chosen.description.own.given() && is_surface_file(path))
+    throw InputError("--out " + path +
+                     ": surfaces are written of generated bows; this design's hull is an imported mesh: give a "
+                     "mesh's ending (.obj, .stl, .ply, .vtp)");
   const Flotation at = flotation(arguments, bow);
-  const std::optional<OverlaidBow> overlaid = overlaid_bow(spec, arguments);
-  const Hull hull = make_hull(bow);
-  Json json = hull_json(hull, bow);
+  const std::optional<OverlaidHull> overlaid = overlaid_hull(spec, arguments);
+  const Hull hull = make_hull(chosen.description);
+  Json json = hull_json(hull);
   json["design"] = chosen.design.name;
+  if (chosen.description.own.given()) json["imported"] = imported_json(chosen.description.own);
   if (hull.status == HullStatus::ok && !path.empty())
     write_hull_output(path, hull, bow, drawing_title(spec, chosen), overlaid);
   std::string more;
@@ -97,7 +108,7 @@ int run_hull(const Communicator&, const Arguments& arguments) {
     std::cout << json.dump(2) << "\n";
   } else {
     std::cout << chosen.design.name << "\n\n"
-              << angle_rows(bow.angles, hull) << "\n"
+              << angle_rows(hull) << "\n"
               << margin_rows(hull.feasibility) << mesh_row(json.at("mesh")) << more;
   }
   if (hull.status == HullStatus::ok) return exit_code::ok;

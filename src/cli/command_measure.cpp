@@ -8,9 +8,8 @@
 #include "cli/hydrostatics_text.h"
 #include "cli/number_option.h"
 #include "cli/text_table.h"
-#include "hullgen/hull_measurement.h"
+#include "hullgen/imported_hull.h"
 #include "hullgen/mesh_check.h"
-#include "hullgen/mesh_import.h"
 #include "study/spec_hints.h"
 
 namespace icebow {
@@ -119,14 +118,20 @@ int run_measure(const Communicator&, const Arguments& arguments) {
   const std::string path = arguments.positional;
   const MeshFrame frame = frame_options(arguments);
   const double density = number_option(arguments, "--density", sea_water, 500.0, 1500.0, "kg/m3");
-  const QuadMesh mesh = outward(in_hull_frame(read_mesh(path), frame), path);
-  const HullMeasurement hull = measure_hull(mesh);
+  const ImportedHull imported = import_hull(path, frame, arguments.has("--mirror"));
+  const QuadMesh& mesh = imported.mesh;
+  const HullMeasurement& hull = imported.measured;
   // The draft of an even keel is the same everywhere: x only says where trim would turn.
   const HydrostaticsReport report = hydrostatics_report(mesh, {}, density);
   if (arguments.has("--json")) {
-    std::cout << measurement_json(mesh, hull, report).dump(2) << "\n";
+    Json json = measurement_json(mesh, hull, report);
+    json["stem_m"] = imported.stem;
+    json["repairs"] = in_words(imported.repairs);
+    std::cout << json.dump(2) << "\n";
   } else {
-    std::cout << path << ": " << mesh.quads.size() << " panels, closed, free of self-intersections\n\n"
+    std::cout << path << ": " << mesh.quads.size() << " panels, closed, free of self-intersections\n";
+    for (const std::string& words : in_words(imported.repairs)) std::cout << "repaired: " << words << "\n";
+    std::cout << "the stem is at " << decimals(imported.stem, 3) << " m along the file's forward axis\n\n"
               << measurement_text(mesh, hull, report);
   }
   return exit_code::ok;

@@ -43,10 +43,12 @@ const std::vector<Command>& commands() {
        "any closed hull mesh: dimensions, angles, hydrostatics",
        "MESH is an .obj, .stl or .ply file. The hull is measured at its waterline; P0 is the stem, P1 at a "
        "quarter of the\n"
-       "beam. Exits with 2 where the mesh is open, not oriented or intersects itself.",
+       "beam. Small flaws are mended and named; exits with 2 where the mesh is open, branches or intersects "
+       "itself.",
        {{"--unit", "UNIT", "of the file: m (default), cm, mm, ft, in"},
         {"--axes", "FORWARD,UP", "the file's axes that point forward and up; default: x,z"},
         {"--waterline", "M", "height of the waterline in metres along that axis; default: 0"},
+        {"--mirror", "", "the file has one side of the hull, up to its own centre plane"},
         {"--density", "KG_M3", "of the water; default: 1025"},
         json},
        false,

@@ -9,6 +9,7 @@
 #include "hullgen/lines_plan.h"
 #include "hullgen/mesh_io.h"
 #include "hullgen/svg_pdf.h"
+#include "study/case_hull.h"
 
 namespace icebow {
 namespace {
@@ -27,21 +28,31 @@ Kind kind_of(const std::string& path) {
                                                          : Kind::unknown;
 }
 
-std::string both(const std::string& title, const std::optional<OverlaidBow>& overlaid) {
-  return overlaid ? title + " and " + overlaid->name : title;
+std::string both(const std::string& title, const std::optional<OverlaidHull>& second) {
+  return second ? title + " and " + second->name : title;
 }
 
 std::string drawing(const Hull& hull, const BowParameters& bow, const std::string& title,
-                    const std::optional<OverlaidBow>& overlaid, DrawnFor reader) {
-  if (!overlaid) return lines_plan_svg(hull, bow, title, reader);
-  const Hull second = make_hull(overlaid->bow);
-  if (second.status != HullStatus::ok)
-    throw InputError("--overlay " + overlaid->name + ": no hull: " + second.reason);
-  return overlaid_lines_plan_svg({hull, bow, title}, {second, overlaid->bow, overlaid->name},
-                                 both(title, overlaid), reader);
+                    const std::optional<OverlaidHull>& second, DrawnFor reader) {
+  if (!second) return lines_plan_svg(hull, bow, title, reader);
+  return overlaid_lines_plan_svg({hull, bow, title}, {second->hull, second->bow, second->name},
+                                 both(title, second), reader);
+}
+
+OverlaidHull overlaid(const std::string& name, Hull hull, const BowParameters& bow) {
+  if (hull.status != HullStatus::ok) throw InputError("--overlay " + name + ": no hull: " + hull.reason);
+  return {name, std::move(hull), bow};
+}
+
+OverlaidHull overlaid(const std::string& name, const Case& description) {
+  return overlaid(name, make_hull(description), description.bow);
 }
 
 }  // namespace
+
+bool is_surface_file(const std::string& path) {
+  return kind_of(path) == Kind::surfaces;
+}
 
 void check_hull_output(const Arguments& arguments) {
   const std::string path = arguments.value("--out");
@@ -57,13 +68,14 @@ void check_hull_output(const Arguments& arguments) {
   if (!lacking.empty()) throw InputError("--out " + path + ": " + lacking);
 }
 
-std::optional<OverlaidBow> overlaid_bow(const StudySpec& spec, const Arguments& arguments) {
+std::optional<OverlaidHull> overlaid_hull(const StudySpec& spec, const Arguments& arguments) {
   if (!arguments.has("--overlay")) return {};
   const std::string wanted = arguments.value("--overlay");
   const std::vector<std::string> families = family_keys();
   if (std::find(families.begin(), families.end(), wanted) != families.end()) {
     const BowFamily family = family_of_key(wanted);
-    return OverlaidBow{std::string("preset of ") + family_form(family).key, preset_bow(family)};
+    const BowParameters bow = preset_bow(family);
+    return overlaid(std::string("preset of ") + family_form(family).key, make_hull(bow), bow);
   }
   Arguments other = arguments;
   other.options.erase("--set");
@@ -71,29 +83,31 @@ std::optional<OverlaidBow> overlaid_bow(const StudySpec& spec, const Arguments& 
     other.options.erase("--design");
     other.positional = wanted;
     const StudySpec study = load_study(other);
-    return OverlaidBow{study.name, choose_design(study, other).description.bow};
+    return overlaid(study.name, choose_design(study, other).description);
   }
   other.options["--design"] = {wanted};
-  try {
-    const ChosenDesign chosen = choose_design(spec, other);
-    return OverlaidBow{chosen.design.name, chosen.description.bow};
-  } catch (const InputError& error) {
-    throw InputError("--overlay " + wanted +
-                     " is neither a study file (.json) nor a family, so a design: " + error.what());
-  }
+  const ChosenDesign chosen = [&] {
+    try {
+      return choose_design(spec, other);
+    } catch (const InputError& error) {
+      throw InputError("--overlay " + wanted +
+                       " is neither a study file (.json) nor a family, so a design: " + error.what());
+    }
+  }();
+  return overlaid(chosen.design.name, chosen.description);
 }
 
 void write_hull_output(const std::string& path, const Hull& hull, const BowParameters& bow,
-                       const std::string& title, const std::optional<OverlaidBow>& overlaid) {
+                       const std::string& title, const std::optional<OverlaidHull>& second) {
   switch (kind_of(path)) {
     case Kind::surfaces:
       write_cad(path, hull_surfaces(bow), title);
       break;
     case Kind::svg:
-      write_text_file(path, drawing(hull, bow, title, overlaid, DrawnFor::screen));
+      write_text_file(path, drawing(hull, bow, title, second, DrawnFor::screen));
       break;
     case Kind::pdf:
-      write_pdf(path, drawing(hull, bow, title, overlaid, DrawnFor::print), both(title, overlaid));
+      write_pdf(path, drawing(hull, bow, title, second, DrawnFor::print), both(title, second));
       break;
     default:
       write_mesh(path, hull.mesh);

@@ -13,16 +13,20 @@ namespace icebow {
 // not go together. Throws InputError.
 void check_hull_output(const Arguments& arguments);
 
-struct OverlaidBow {
-  std::string name;
-  BowParameters bow;
-};
-// What --overlay names: a study file (its own bow), a family (its preset) or a design of this study; nothing
-// where it is not given. Throws InputError.
-std::optional<OverlaidBow> overlaid_bow(const StudySpec& spec, const Arguments& arguments);
+// Whether its ending asks for surfaces: .step, .stp, .igs, .iges.
+bool is_surface_file(const std::string& path);
 
-// Throws InputError where the overlaid bow has no hull, RuntimeError where the file cannot be written.
+struct OverlaidHull {
+  std::string name;
+  Hull hull;
+  BowParameters bow;  // its dimensions
+};
+// What --overlay names: a study file (its own hull), a family (its preset) or a design of this study; nothing
+// where it is not given. Throws InputError, where there is no such hull too.
+std::optional<OverlaidHull> overlaid_hull(const StudySpec& spec, const Arguments& arguments);
+
+// Throws RuntimeError where the file cannot be written.
 void write_hull_output(const std::string& path, const Hull& hull, const BowParameters& bow,
-                       const std::string& title, const std::optional<OverlaidBow>& overlaid);
+                       const std::string& title, const std::optional<OverlaidHull>& overlaid);
 
 }  // namespace icebow

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "study/spec_hints.h"
+#include "study/spec_hull.h"
 
 namespace icebow {
 namespace {
@@ -48,7 +49,15 @@ StudySpec load_study(const Communicator& comm, const Arguments& arguments) {
   }
   mistake = comm.broadcast(mistake);
   if (!mistake.empty()) throw InputError(mistake);
-  return read_study(Json::parse(comm.broadcast(text)), arguments.positional);
+  StudySpec spec;
+  try {
+    spec = read_study(Json::parse(comm.broadcast(text)), arguments.positional);
+  } catch (const InputError& error) {  // a hull's file that only the root's machine has
+    mistake = error.what();
+  }
+  mistake = first_trouble(comm, mistake);
+  if (!mistake.empty()) throw InputError(mistake);
+  return spec;
 }
 
 ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments) {
@@ -61,6 +70,7 @@ ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments) {
     chosen.design = planned.design;
     for (const std::string& assignment : arguments.values("--set"))
       apply_set(chosen.design.document, assignment);
+    resolve_hull_files(chosen.design.document, spec.file);
   }
   chosen.description = read_case(chosen.design.document, chosen.design.name);
   return chosen;

@@ -6,10 +6,10 @@
 
 #include "base/errors.h"
 #include "formula/lindqvist.h"
-#include "hullgen/bow.h"
 #include "hullgen/lines_plan.h"
 #include "hullgen/mesh_io.h"
 #include "study/calibration.h"
+#include "study/case_hull.h"
 #include "study/history_csv.h"
 #include "study/provenance.h"
 #include "study/result_json.h"
@@ -88,11 +88,14 @@ class DesignRun {
 };
 
 void DesignRun::evaluate() {
+  std::string error;
   try {
     case_ = read_case(design_.document, design_.name);
-  } catch (const InputError& error) {  // the same document, so the same on every rank
-    return end(EvaluationStatus::failed, error.what());
+  } catch (const InputError& e) {
+    error = e.what();
   }
+  error = first_trouble(comm_, error);
+  if (!error.empty()) return end(EvaluationStatus::failed, error);
   e_.key = evaluation_key(case_, asks_for(design_.document, "lindqvist"),
                           asks_for(design_.document, "peridynamics"));
   measure_hull();
@@ -105,9 +108,10 @@ void DesignRun::evaluate() {
 
 void DesignRun::measure_hull() {
   const BowParameters& bow = case_.bow;
-  hull_ = make_hull(bow);
+  hull_ = make_hull(case_);
   e_.result["ship"] = {{"L_m", bow.L}, {"B_m", bow.B}, {"T_m", bow.T}};
-  e_.result["hull"] = hull_json(hull_, bow);
+  e_.result["hull"] = hull_json(hull_);
+  if (case_.own.given()) e_.result["hull"]["imported"] = imported_json(case_.own);
   if (hull_.status != HullStatus::ok) return end(EvaluationStatus::infeasible, hull_.reason);
   if (writes()) on_root(comm_, [&] { write_hull(); });
 }

@@ -4,6 +4,7 @@
 
 #include "hullgen/family.h"
 #include "study/calibration.h"
+#include "study/case_hull.h"
 #include "study/evaluate.h"
 #include "study/sha256.h"
 
@@ -18,10 +19,11 @@ constexpr int well_shaped_mesh_version = 2;
 // A field added to a case but not to its key would hand out results of another case: the sizes notice. Left
 // out on purpose: numerics.ranks_along_x, because results do not depend on the ranks, bow.angles_at,
 // because the four angles are the same either way, and compressive_strength, which is only compared with.
-static_assert(sizeof(void*) != 8 || (sizeof(BowParameters) == 120 && sizeof(IceMaterial) == 48 &&
-                                     sizeof(Water) == 16 && sizeof(Sheet) == 40 && sizeof(Numerics) == 64),
+static_assert(sizeof(void*) != 8 ||
+                  (sizeof(BowParameters) == 120 && sizeof(IceMaterial) == 48 && sizeof(Water) == 16 &&
+                   sizeof(Sheet) == 40 && sizeof(Numerics) == 64 && sizeof(MeshFrame) == 80),
               "add the new field to describe() below, then correct the size");
-static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 48 + 24 + 16 + 40 + 64 + 32 + 8 + 8,
+static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 168 + 48 + 24 + 16 + 40 + 64 + 32 + 8 + 8,
               "add the new field of Case to evaluation_key() below, then correct the size");
 
 // One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
@@ -34,6 +36,7 @@ class Text {
     line(name, buffer);
   }
   void add(const char* name, int value) { line(name, std::to_string(value)); }
+  void add(const char* name, const std::string& value) { line(name, value); }
   void add(const char* name, bool value) { line(name, value ? "true" : "false"); }
   template <class E, class = std::enable_if_t<std::is_enum_v<E>>>
   void add(const char* name, E value) {
@@ -46,12 +49,16 @@ class Text {
   std::string text_;
 };
 
+void describe(Text& text, const BowAngles& angles) {
+  text.add("bow.stem", angles.stem);
+  text.add("bow.waterline", angles.waterline);
+  text.add("bow.buttock", angles.buttock);
+  text.add("bow.flare", angles.flare);
+}
+
 void describe(Text& text, const BowParameters& bow) {
   text.add("bow.family", bow.family);
-  text.add("bow.stem", bow.angles.stem);
-  text.add("bow.waterline", bow.angles.waterline);
-  text.add("bow.buttock", bow.angles.buttock);
-  text.add("bow.flare", bow.angles.flare);
+  describe(text, bow.angles);
   text.add("bow.L", bow.L);
   text.add("bow.B", bow.B);
   text.add("bow.T", bow.T);
@@ -63,6 +70,17 @@ void describe(Text& text, const BowParameters& bow) {
   // As a stored result has it that is older than these families.
   if (bow.reamer_step != 0.0) text.add("bow.reamer_step", bow.reamer_step);
   if (bow.chine != 0.0) text.add("bow.chine", bow.chine);
+}
+
+void describe(Text& text, const OwnHull& own) {
+  text.add("hull.sha256", own.sha256);
+  text.add("hull.unit", own.frame.unit);
+  for (int k = 0; k < 3; ++k) text.add("hull.forward", own.frame.forward[k]);
+  for (int k = 0; k < 3; ++k) text.add("hull.up", own.frame.up[k]);
+  text.add("hull.left_handed", own.frame.left_handed);
+  text.add("hull.waterline", own.frame.waterline);
+  text.add("hull.draft", own.frame.draft);
+  text.add("hull.mirror", own.mirror);
 }
 
 void describe(Text& text, const IceMaterial& ice) {
@@ -100,7 +118,12 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   text.add("use_lindqvist", use_lindqvist);
   text.add("use_peridynamics", use_peridynamics);
   text.add("lambda", c.lambda);
-  describe(text, c.bow);
+  if (c.own.given()) {
+    describe(text, c.own);  // all that is measured follows
+    if (is_deformed(c)) describe(text, c.bow.angles);
+  } else {
+    describe(text, c.bow);
+  }
   describe(text, c.ice);
   text.add("flexural_strength", c.flexural_strength);
   text.add("water.rho", c.water.rho);

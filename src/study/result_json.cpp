@@ -1,6 +1,7 @@
 #include "study/result_json.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "base/units.h"
 #include "hullgen/mesh_check.h"
@@ -58,8 +59,8 @@ void add_ice_extent(Json& to, const Metrics& m, double factor) {
 
 }  // namespace
 
-Json hull_json(const Hull& hull, const BowParameters& bow) {
-  Json json = {{"requested_deg", angles_deg(bow.angles)},
+Json hull_json(const Hull& hull) {
+  Json json = {{"requested_deg", angles_deg(hull.requested)},
                {"measured_deg", nullptr},
                {"derived_deg", nullptr},
                {"margins", Json::object()},
@@ -80,6 +81,15 @@ Json hull_json(const Hull& hull, const BowParameters& bow) {
                          {"flare_at_stem", number(degrees(hull.flare_at_stem))}};
   if (!hull.mesh.quads.empty()) json["mesh"] = mesh_json(hull.mesh);
   return json;
+}
+
+Json imported_json(const OwnHull& own) {
+  const ImportedHull& hull = *own.imported;
+  return {{"file", std::filesystem::path(own.file).filename().string()},
+          {"sha256", own.sha256},
+          {"repairs", in_words(hull.repairs)},
+          {"bow_length_m", number(hull.Lf)},
+          {"depth_m", number(hull.D)}};
 }
 
 Json lindqvist_inputs_json(const LindqvistInputs& in) {

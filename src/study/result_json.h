@@ -6,13 +6,16 @@
 #include "formula/lindqvist.h"
 #include "hullgen/bow.h"
 #include "solver/simulation.h"
+#include "study/own_hull.h"
 
 namespace icebow {
 
 // {"requested_deg", "measured_deg", "derived_deg", "margins", "margin_sentences", "feasible", "reason",
 // "mesh"}; the caller adds "design". Angles in degrees, lengths in metres at the scale of `bow`. Where there
 // is no mesh, "measured_deg", "derived_deg" and "mesh" are null.
-Json hull_json(const Hull& hull, const BowParameters& bow);
+Json hull_json(const Hull& hull);
+// {"file", "sha256", "repairs" in words, "bow_length_m", "depth_m"} of the user's own hull.
+Json imported_json(const OwnHull& own);
 
 // {"crushing_N", "bending_N", "submersion_N", "breaking_N", "total_N", "valid", "reason", "caution",
 // "inputs": {...}}; forces are null where the formula's guards reject the inputs.

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "study/calibration.h"
+#include "study/case_hull.h"
 #include "study/design_files.h"
 #include "study/optimiser.h"
 #include "study/ranking.h"
@@ -222,7 +223,7 @@ void StudyLoop::sum_up() {
 // Empty settings mean the real thing.
 RunSettings completed(RunSettings settings) {
   if (!settings.evaluate) settings.evaluate = evaluate;
-  if (!settings.margins) settings.margins = [](const Case& c) { return check_feasibility(c.bow).margins; };
+  if (!settings.margins) settings.margins = [](const Case& c) { return check_feasibility(c).margins; };
   if (settings.program.empty()) settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
   if (settings.launcher == Launcher::automatic) {
     settings.launcher = MpiSession::started_by_mpirun() ? Launcher::embedded : Launcher::isolated;

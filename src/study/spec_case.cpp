@@ -7,6 +7,7 @@
 #include "hullgen/family.h"
 #include "solver/virtual_tests.h"
 #include "study/spec_hints.h"
+#include "study/spec_hull.h"
 
 namespace icebow {
 namespace {
@@ -14,10 +15,11 @@ namespace {
 constexpr double most_particles = 2e9;
 
 struct Sections {
+  Mistakes of_no_bow;  // what a hull of the user's own makes up for
   Section bow, ice, water, sheet, operation, solver;
 
   Sections(const Json& d, double lambda, Mistakes& m)
-      : bow(d, "bow", lambda, m),
+      : bow(d, "bow", lambda, d.contains("hull") ? of_no_bow : m),
         ice(d, "ice", lambda, m),
         water(d, "water", lambda, m),
         sheet(d, "sheet", lambda, m),
@@ -226,7 +228,11 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   Case c;
   c.lambda = lambda_of(document, mistakes);
   Sections s(document, c.lambda, mistakes);
-  c.bow = read_bow(s.bow);
+  if (document.contains("hull")) {
+    read_hull(document, c, mistakes);
+  } else {
+    c.bow = read_bow(s.bow);
+  }
   read_ice(s.ice, c);
   c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
   read_operation_and_sheet(s.operation, s.sheet, c);

@@ -31,7 +31,8 @@ std::vector<std::string> spellings(const std::string& section) {
 }
 
 // Another way of saying the same, so a file gives one of the two.
-const char* const exclusive[][3] = {{"ice", "fracture_toughness", "critical_stretch"},
+const char* const exclusive[][3] = {{"hull", "draft", "waterline_height"},
+                                    {"ice", "fracture_toughness", "critical_stretch"},
                                     {"solver", "spacing", "layers"},
                                     {"solver", "time_step", "time_step_fraction"}};
 

@@ -37,8 +37,15 @@ class VariableReader {
     target_ = find_pointer(variable_.pointer);
     const bool of_a_design =
         variable_.pointer == "/scale" || (target_.key && is_one_of(design_sections(), target_.key->section));
+    if (target_.key && std::string(target_.key->section) == "bow" && document_.contains("hull")) {
+      mistake(
+          "",
+          "is of a bow that is generated, but this file gives /hull; to deform the bow of its mesh, give an "
+          "angle there and vary that, like /hull/stem_deg");
+      return false;
+    }
     if (!target_.key || !of_a_design || !is_numeric(target_.key->quantity)) {
-      mistake("", "is not a number of bow, ice, water, sheet, operation or solver" +
+      mistake("", "is not a number of bow, hull, ice, water, sheet, operation or solver" +
                       did_you_mean(variable_.pointer, candidates()));
       return false;
     }

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "study/spec_case.h"
 #include "study/spec_hints.h"
+#include "study/spec_hull.h"
 #include "study/spec_method.h"
 
 namespace icebow {
@@ -61,7 +62,9 @@ StudySpec read_study(const Json& document, const std::string& name) {
     throw InputError(name,
                      {{"", "is " + type_name(document) + ", must be an object {\"icebow_study\": 1, ...}"}});
   }
-  StudySpec spec = parse_study(document, name, mistakes);
+  Json resolved = document;
+  resolve_hull_files(resolved, name);
+  StudySpec spec = parse_study(resolved, name, mistakes);
   if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
   return spec;
 }

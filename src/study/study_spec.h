@@ -10,6 +10,7 @@
 #include "hullgen/bow.h"
 #include "solver/scenario.h"
 #include "solver/snapshot_format.h"
+#include "study/own_hull.h"
 
 namespace icebow {
 
@@ -18,7 +19,8 @@ enum class IceModel { paper, calibrated };  // docs/study_file.md, "Ice by its t
 // One fully described ship in one ice: what an evaluation needs, and nothing else.
 struct Case {
   double lambda = 1.0;  // full scale / simulated scale
-  BowParameters bow;
+  BowParameters bow;    // of a hull of the user's own: its dimensions and angles
+  OwnHull own;
   IceMaterial ice;
   IceModel ice_model = IceModel::paper;  // calibrated: ice.E is to be measured, ice.s0 and ice.K_I are 0
   double flexural_strength = 0.0;        //!< for the formulas, and to be measured [Pa]

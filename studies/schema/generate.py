@@ -17,7 +17,7 @@ DOCS = ROOT / "docs/study_file.md"
 BEGIN, END = "<!-- keys: written by studies/schema/generate.py -->", "<!-- end of keys -->"
 NAME = "^[A-Za-z0-9\u0080-\U0010ffff][A-Za-z0-9 ._+()\u0080-\U0010ffff-]*$"
 RESERVED = "^(baseline|d[0-9]+)$"
-EXCLUSIVE = {"ice": [("fracture_toughness", "critical_stretch")],
+EXCLUSIVE = {"hull": [("draft", "waterline_height")], "ice": [("fracture_toughness", "critical_stretch")],
              "solver": [("spacing", "layers"), ("time_step", "time_step_fraction")]}
 # Where a key has one of these values, which others must be given and which must not; "else": where it has not.
 CONDITIONS = {"bow": [
@@ -26,7 +26,8 @@ CONDITIONS = {"bow": [
     {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}],
     "ice": [{"key": "model", "is": "calibrated", "then": ([], ["fracture_toughness", "critical_stretch"]),
              "else": ([], [])}]}
-SECTIONS = ["bow", "ice", "water", "sheet", "operation", "solver", "output", "ranking", "execution"]
+SHIPS = ["bow", "hull"]  # one of them; a design may swap them
+SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "output", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
 
@@ -90,7 +91,7 @@ def section_schema(keys, section):
 
 def patch_schema(keys, section):
     """A design's change to a section: any of its keys, null drops the file's."""
-    optional = not any(k["required"] for k in keys if k["section"] == section)
+    optional = section in SHIPS or not any(k["required"] for k in keys if k["section"] == section)
     values = {name: {"anyOf": [{"type": "null"}, {"$ref": f"#/properties/{section}/properties/{name}"}]}
               for name in properties(keys, section)}
     return {"type": ["object", "null"] if optional else "object", "additionalProperties": False, "properties": values}
@@ -155,7 +156,8 @@ def make_schema(table):
     top["method"] = method_schema(table)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "urn:icebow:study:1",
             "title": "Icebow study file, version 1", "type": "object", "additionalProperties": False,
-            "required": ["icebow_study", "bow", "ice", "operation"], "properties": top}
+            "required": ["icebow_study", "ice", "operation"],
+            "oneOf": [{"required": [s]} for s in SHIPS], "properties": top}
 
 
 def pretty(value, indent=""):
@@ -172,7 +174,7 @@ def pretty(value, indent=""):
 
 def key_table(table):
     lines = [BEGIN, ""]
-    for section in ["", "bow", "ice", "water", "sheet", "operation", "solver", "output", "method", "ranking", "execution"]:
+    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "output", "method", "ranking", "execution"]:
         lines += [f"### {'Top level' if not section else '`' + section + '`'}", "",
                   "| key | allowed | default | meaning |", "|---|---|---|---|"]
         for k in (k for k in table["keys"] if k["section"] == section):

@@ -181,6 +181,24 @@ class HullAndResistance(ProgramTest):
         (self.directory / "open.obj").write_text("\n".join(lines[:-1]))
         self.assertIn("not closed", self.expect(2, "measure", self.directory / "open.obj").stderr)
 
+    def test_a_hull_of_the_users_own(self):
+        study, mesh = STUDIES / "own_hull.json", STUDIES / "hulls/supply_vessel.obj"
+        found = json.loads(self.expect(0, "measure", mesh, "--axes", "-x,z", "--waterline", "6.5", "--mirror", "--json").stdout)
+        self.assertTrue(any("mirrored" in words for words in found["repairs"]))
+        self.assertAlmostEqual(found["dimensions"]["waterline_beam_m"], 18, delta=1e-6)
+        self.assertIn("--mirror", self.expect(2, "measure", mesh, "--axes", "-x,z", "--waterline", "6.5").stderr)
+        self.assertIn("repaired", self.expect(0, "measure", mesh, "--axes", "-x,z", "--waterline", "6.5", "--mirror").stdout)
+        hull = json.loads(self.expect(0, "hull", study, "--json", "--hydrostatics").stdout)
+        for angle in ("stem", "waterline", "buttock", "flare"):
+            self.assertIsNone(hull["requested_deg"][angle])
+            self.assertAlmostEqual(hull["measured_deg"][angle], found["angles_deg"][angle], delta=1e-9)
+        self.assertAlmostEqual(hull["hydrostatics"]["draft_m"], 6.5, delta=1e-9)
+        lower = json.loads(self.expect(0, "hull", study, "--design", "Lower stem", "--json").stdout)
+        self.assertAlmostEqual(lower["measured_deg"]["stem"], 24, delta=0.05)
+        self.assertIn("imported", self.expect(2, "hull", study, "--explain").stderr)
+        self.assertIn("no mistakes", self.expect(0, "check", study).stdout)
+        self.assertIn("/hull/file", self.expect(2, "check", study, "--set", "/hull/file=none.obj").stderr)
+
     def test_explanation(self):
         hull = json.loads(self.expect(0, "hull", TINY, "--json", "--explain").stdout)["explanation"]
         # By hand: atan(tan 24.35 / sin 22), and at P1 tan(waterline) = tan 33 tan 28.

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "hullgen/bow.h"
+#include "hullgen/mesh_import.h"
 #include "hullgen/triangles.h"
 #include "paper_bows.h"
 
@@ -51,7 +52,9 @@ std::vector<T> numbers(const std::string& words, const std::string& from, const 
 TEST_CASE("OBJ keeps points, panels and patches to the last bit") {
   const Scratch scratch;
   write_mesh(scratch.file("hull.obj"), hull());
-  const QuadMesh read = read_obj(scratch.file("hull.obj"));
+  int split = 0;
+  const QuadMesh read = read_mesh(scratch.file("hull.obj"), split);
+  CHECK(split == 0);
   REQUIRE(read.points.size() == hull().points.size());
   for (std::size_t k = 0; k < read.points.size(); ++k) CHECK(read.points[k] == hull().points[k]);
   CHECK(read.quads == hull().quads);
