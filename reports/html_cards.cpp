@@ -162,6 +162,9 @@ std::string simulation_facts(const Json& result, double wall_seconds) {
   facts.add("Time step, model", number_at(run, "/dt_s") * 1e6, 1, "\u00b5s");
   const double stretch = number_at(run, "/critical_stretch");
   if (std::isfinite(stretch)) facts.add("Critical stretch", engineering(stretch, ""));
+  const double tensile = number_at(run, "/tensile_strength_Pa"), crushing = number_at(run, "/crushing_pressure_Pa");
+  if (std::isfinite(tensile)) facts.add("Tensile strength of bonds, model", tensile / 1e3, 1, "kPa");
+  if (std::isfinite(crushing)) facts.add("Crushing pressure, model", crushing / 1e3, 1, "kPa");
   facts.add("Model scale", "1\u2009:\u2009" + fixed(number_at(run, "/lambda"), 0));
   facts.add("Wall time", duration(wall_seconds));
   const double ranks = number_at(result, "/provenance/ranks");

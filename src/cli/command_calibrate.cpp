@@ -61,6 +61,30 @@ double input_stretch(const Comparison& c) {
   return make_material(c.simulated.ice, n.dx, n.horizon_ratio).s0;
 }
 
+// Of bonds that break by stress; at the scale of the study's section "ice".
+double input_strength(const Comparison& c) {
+  return to_full_scale(c.simulated.ice.tensile_strength, c.lambda, scaling::stress);
+}
+
+double input_crushing_pressure(const Comparison& c) {
+  return to_full_scale(c.simulated.ice.crushing_pressure, c.lambda, scaling::stress);
+}
+
+bool breaks_by_stress(const Comparison& c) {
+  return c.simulated.ice.tensile_strength > 0.0;
+}
+
+Json input_json(const Comparison& c) {
+  Json json = {{"elastic_modulus_Pa", input_modulus(c)}};
+  if (breaks_by_stress(c)) {
+    json["tensile_strength_Pa"] = input_strength(c);
+  } else {
+    json["critical_stretch"] = input_stretch(c);
+  }
+  if (c.simulated.ice.crushing_pressure > 0.0) json["crushing_pressure_Pa"] = input_crushing_pressure(c);
+  return json;
+}
+
 long layers(const Comparison& c) {
   return std::lround(c.simulated.ice.h / c.simulated.numerics.dx);
 }
@@ -92,7 +116,7 @@ Json to_json(const Comparison& c, const std::string& design) {
           {"scale", c.scale},
           {"requested", properties_json(c.requested)},
           {"measured", properties_json(c.measured)},
-          {"input", {{"elastic_modulus_Pa", input_modulus(c)}, {"critical_stretch", input_stretch(c)}}},
+          {"input", input_json(c)},
           {"spacing_m", spacing(c)},
           {"layers", layers(c)},
           {"buoyancy_share_left_out", buoyancy(c)},
@@ -114,15 +138,18 @@ std::string for_people(const Comparison& c, const std::string& design) {
                       row("elastic modulus", r.elastic_modulus, m.elastic_modulus),
                       row("flexural strength", r.flexural_strength, m.flexural_strength),
                       row("compressive strength", r.compressive_strength, m.compressive_strength)});
-  text += "\nsimulated with: modulus " + brief(input_modulus(c) / 1e3) + " kPa, critical stretch " +
-          brief(input_stretch(c)) + "\n";
+  text += "\nsimulated with: modulus " + brief(input_modulus(c) / 1e3) + " kPa, " +
+          (breaks_by_stress(c) ? "tensile strength of bonds " + brief(input_strength(c) / 1e3) + " kPa"
+                               : "critical stretch " + brief(input_stretch(c)));
+  if (c.simulated.ice.crushing_pressure > 0.0)
+    text += ", crushing pressure " + brief(input_crushing_pressure(c) / 1e3) + " kPa";
+  text += "\n";
   text += "virtual tests: cantilever 7 h x 2 h, " + std::to_string(c.beam_breaks) +
           " breaks; prism 4 h x 2 h, " + std::to_string(c.prism_breaks) + " breaks; " +
           decimals(c.seconds, 1) + " s\n";
   text += "The beam is dry; in water it would be stiffer by " + decimals(100.0 * buoyancy(c), 1) + " %.\n";
-  text +=
-      "Brittle bonds have one strength: the compressive one follows from the flexural one and cannot be "
-      "set.\n";
+  if (!breaks_by_stress(c))
+    text += "Bonds that break by stretch have one strength: the others follow from it and cannot be set.\n";
   return text;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 // A field added to a scenario but not to its text would let a run continue another one: the sizes notice.
 static_assert(sizeof(void*) != 8 ||
-                  (sizeof(IceMaterial) == 48 && sizeof(Water) == 16 && sizeof(Sheet) == 40 &&
-                   sizeof(Numerics) == 64 && sizeof(Scenario) == 48 + 16 + 40 + 64 + 32),
+                  (sizeof(IceMaterial) == 64 && sizeof(Water) == 16 && sizeof(Sheet) == 40 &&
+                   sizeof(Numerics) == 64 && sizeof(Scenario) == 64 + 16 + 40 + 64 + 32),
               "add the new field to case_text() below, then correct the size");
 
 // FNV-1a, 64 bits.
@@ -64,6 +64,8 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("ice.nu", s.ice.nu);
   text.add("ice.s0", s.ice.s0);
   text.add("ice.K_I", s.ice.K_I);
+  text.add("ice.tensile_strength", s.ice.tensile_strength);
+  text.add("ice.crushing_pressure", s.ice.crushing_pressure);
   text.add("water.rho", s.water.rho);
   text.add("water.buoyancy_and_gravity", s.water.buoyancy_and_gravity);
   text.add("sheet.length", s.sheet.length);

@@ -17,7 +17,7 @@
 namespace icebow {
 namespace {
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr std::size_t row_values = 15, row_counts = 2;  // doubles and integers of a HistoryRow
 
 void save_history(ParallelFile& file, const std::vector<HistoryRow>& rows) {

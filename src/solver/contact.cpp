@@ -35,6 +35,15 @@ ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const
     case ContactRule::penalty:
       normal_delta_v = s.penalty_stiffness * depth * s.dt / s.particle_mass;
       break;
+    case ContactRule::crushing:
+      normal_delta_v = approach;
+      if (depth < s.crushing_depth) {
+        normal_delta_v = std::min(approach, s.crushing_force * s.dt / s.particle_mass);
+      } else {
+        // Rubble is pushed out, no faster than the hull sails: its bonds break by and by.
+        r.push = std::min(depth, s.V * s.dt) * hit.normal;
+      }
+      break;
   }
   r.delta_v = normal_delta_v * hit.normal + friction(s.friction, relative, hit.normal, normal_delta_v);
   return r;
@@ -42,6 +51,12 @@ ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const
 
 HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
     : distance_(hull, region), settings_(settings) {}
+
+// Failure where the hull presses is the contact rule's: bonds there hold until the ice is crushed.
+void HullContact::strengthen(IceSheet& sheet, std::size_t p, double depth) const {
+  if (sheet.extra_strength[p] < 0.0) return;
+  sheet.extra_strength[p] = depth < settings_.crushing_depth ? IceSheet::held_together : IceSheet::crushed;
+}
 
 int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
                        ContactLedger& ledger) const {
@@ -56,6 +71,7 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
         for (int l = b * block; l < (b + 1) * block; ++l) {
           if (!sheet.mobile(jl, l)) continue;
           const std::size_t p = row + l;
+          if (sheet.extra_strength[p] > 0.0) sheet.extra_strength[p] = 0.0;
           const Vec3 position(sheet.lattice.x(layout.i0 + l) + sheet.u[0][p] - hull_x, y + sheet.u[1][p],
                               z + sheet.u[2][p]);
           if (!distance_.may_be_inside(position)) continue;
@@ -65,6 +81,7 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
             continue;
           }
           ++contacts;
+          if (settings_.rule == ContactRule::crushing) strengthen(sheet, p, -hit.signed_distance);
           const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
           const ContactResponse r = respond(settings_, hit, v_before);
           Vec3 delta_v, push = Vec3::Zero();  // as stored: the hull gets exactly what the ice lost

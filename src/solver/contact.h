@@ -17,9 +17,11 @@ struct ContactSettings {
   double dt = 0.0;                 //!< [s]
   double particle_mass = 0.0;      //!< [kg]
   double penalty_stiffness = 0.0;  //!< [N/m], penalty rule only
+  double crushing_force = 0.0;     //!< of one particle [N], crushing rule only
+  double crushing_depth = 0.0;     //!< at which it is crushed [m], likewise
 };
 
-// What contact does to one particle, eq. (17)-(19) of docs/theory.md.
+// What contact does to one particle, eq. (17)-(19) and (33) of docs/theory.md.
 struct ContactResponse {
   Vec3 push = Vec3::Zero();     // displacement added [m]
   Vec3 delta_v = Vec3::Zero();  // velocity added [m/s]
@@ -37,6 +39,8 @@ class HullContact {
             ContactLedger& ledger) const;
 
  private:
+  void strengthen(IceSheet& sheet, std::size_t p, double depth) const;
+
   HullDistance distance_;
   ContactSettings settings_;
 };

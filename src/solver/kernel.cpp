@@ -71,6 +71,8 @@ LawFits<Real, degree> fits(double lower, double upper) {
 
 namespace {
 
+constexpr double never = 1e6;  // no bond is stretched so far
+
 // Taylor series at e = 0 over its first term, of G, R and H.
 template <class Real, int degree>
 LawFits<Real, degree> calm_series() {
@@ -89,23 +91,35 @@ LawFits<Real, degree> calm_series() {
 }  // namespace
 
 template <class Real>
-BondLaw<Real> make_bond_law(double s0) {
+BondLaw<Real> make_bond_law(const Material& m) {
   using Degrees = LawDegrees<Real>;
   constexpr double shortest = -0.19;       // 10 % shorter
   constexpr double widest_small = 0.0125;  // where the short fits are still as good as the wide ones
+  constexpr double longest = 0.05;         // bonds that contact holds together may stretch further than s0
   BondLaw<Real> law;
-  const double e_break = s0 * (2.0 + s0), e_small = std::min(e_break, widest_small);
-  law.wide = fits<Real, Degrees::wide>(shortest, e_break);
+  const double e_break = m.s0 * (2.0 + m.s0);
+  double e_safe = e_break;
+  law.stress_per_stretch = law.stress_per_theta = 0;
+  law.e_break = static_cast<Real>(e_break);
+  if (m.tensile_strength > 0.0) {
+    law.stress_per_stretch = static_cast<Real>(m.normal_stress(1.0, 0.0) / m.tensile_strength);
+    law.stress_per_theta = static_cast<Real>(m.normal_stress(0.0, 0.5) / m.tensile_strength);
+    law.e_break = static_cast<Real>(never);
+    // A dilatation is at most three times the largest stretch.
+    e_safe = 2.0 * m.tensile_strength / m.normal_stress(1.0, 3.0);
+  }
+  const double e_small = std::min(e_safe, widest_small), e_max = std::max(e_break, longest);
+  law.wide = fits<Real, Degrees::wide>(shortest, e_max);
   law.small = fits<Real, Degrees::small>(-e_small, e_small);
   law.e_min = static_cast<Real>(shortest);
-  law.e_break = static_cast<Real>(e_break);
+  law.e_max = static_cast<Real>(e_max);
   law.e_small = static_cast<Real>(e_small);
   law.calm = calm_series<Real, Degrees::calm>();
   law.e_calm = static_cast<Real>(std::min(calm_strain, 0.5 * e_small));
   return law;
 }
 
-template BondLaw<float> make_bond_law<float>(double);
-template BondLaw<double> make_bond_law<double>(double);
+template BondLaw<float> make_bond_law<float>(const Material&);
+template BondLaw<double> make_bond_law<double>(const Material&);
 
 }  // namespace icebow

@@ -13,12 +13,15 @@
 //   calm     all bonds there, |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone
 //            (relative error of a force below 0.75 e_calm), in fp64 three terms (below 1e-9)
 //   intact   all bonds there, |e| <= e_small: fits of a low degree, no bond bits
-//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_break]; below e_min (a
-//            shortening of 10 %) they stay at their value there
+//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a shortening of
+//            10 %) they stay at their value there. Where bonds break by stress, back to intact once
+//            they have slackened and all are there
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+
+#include "solver/stencil.h"
 
 namespace icebow {
 
@@ -44,18 +47,22 @@ struct LawFits {
 
 template <class Real>
 struct BondLaw {
-  LawFits<Real, LawDegrees<Real>::wide> wide;    // on [e_min, e_break]
-  LawFits<Real, LawDegrees<Real>::small> small;  // on [-e_small, e_small], e_small <= e_break
+  LawFits<Real, LawDegrees<Real>::wide> wide;    // on [e_min, e_max]
+  LawFits<Real, LawDegrees<Real>::small> small;  // on [-e_small, e_small], where no bond can break
   LawFits<Real, LawDegrees<Real>::calm> calm;    // series at 0, divided by their first terms
   Real e_calm;
   Real e_small;
-  Real e_min;    // lower end of the fits
-  Real e_break;  // (1 + s0)^2 - 1: the bond breaks above
+  Real e_min, e_max;  // ends of the fits
+  // The bond breaks in the dilatation pass above (1 + s0)^2 - 1; no limit where its stress decides.
+  Real e_break;
+  // It breaks in the force pass where stress_per_stretch s + stress_per_theta (theta_k + theta_j) is above 1;
+  // both 0 where its stretch decides.
+  Real stress_per_stretch, stress_per_theta;
 };
 
 // Fits G, R, H; relative error below 2e-6 in fp32, 2e-11 in fp64 (tests/solver/kernel_test.cpp).
 template <class Real>
-BondLaw<Real> make_bond_law(double critical_stretch);
+BondLaw<Real> make_bond_law(const Material& material);
 
 // Constants of a slot:
 //   theta += dilatation * s; acceleration += (pressure (theta_k + theta_j) + distortion s) y/|y|
@@ -91,6 +98,7 @@ struct RowTables {
 template <class Real>
 struct RowFields {
   const Real* u[3];             // displacement [m], at the row's first owned particle
+  const Real* extra_strength;   // of each particle: IceSheet::extra_strength
   Real* acceleration[3];        // from bonds [m/s^2]
   Real* theta;                  // dilatation
   std::uint16_t* bits;          // [block][column slot]: alive bonds of 16 particles
@@ -156,8 +164,9 @@ struct Passes {
   // many of owned blocks' broke. Follows the blocks' states.
   int (*dilatation)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&,
                     int owned_blocks);
-  // Adds their bonds to the acceleration of both ends.
-  void (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&);
+  // Adds their bonds to the acceleration of both ends; breaks those whose stress is too high and returns how
+  // many of owned blocks' did.
+  int (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&, int owned_blocks);
   // v += dt * (bonds + weight and lift); u += dt v.
   void (*drift)(const DriftRow<Real>&, const DriftSettings&);
   LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]

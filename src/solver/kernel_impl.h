@@ -172,12 +172,14 @@ inline const auto& fits_of(const BondLaw<Real>& law) {
 template <bool whole, class Real>
 inline typename Simd<Real>::V fit_argument(typename Simd<Real>::V e, const BondLaw<Real>& law) {
   if constexpr (whole) return e;
-  return Simd<Real>::max(e, Simd<Real>::splat(law.e_min));
+  return Simd<Real>::min(Simd<Real>::max(e, Simd<Real>::splat(law.e_min)), Simd<Real>::splat(law.e_max));
 }
 
 // theta of the bonds of a block that is not calm. A `whole` one (intact) has all its bonds and does not look
 // at the bits; where a bond leaves the range of the short fits or wants to break, the block becomes touched,
-// and the bond breaks in the next step if it still wants to.
+// and the bond breaks in the next step if it still wants to. Of ice that breaks by
+// stress, which is touched long before it breaks, a touched block whose bonds are all there and have slackened
+// becomes intact; not near the ends of the sheet, where it has fewer bonds to be told by.
 template <class Real, bool whole, bool per_lane>
 int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
                 const Real* constants) {
@@ -190,17 +192,20 @@ int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
   std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
   V e_max = {}, e_min = {};
   int broken = 0;
+  std::uint16_t alive_everywhere = 0xffff;
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
     Real* const theta = f.theta + x;
+    const V strength = S::load(f.extra_strength + x) + S::splat(law.e_break);
     const Real* slot = constants + (per_lane ? lane0 : 0);
     V own = {};
     for (int s = 0; s < t.n_slots; ++s, slot += slot_size<per_lane>) {
       unsigned alive = 0;
       if constexpr (!whole) {
         alive = part_of<S::lanes>(words[s], lane0);
+        if (per_lane || slot[dilatation_weight] != 0) alive_everywhere &= words[s];
         if (!alive) continue;
       } else if constexpr (!per_lane) {
         if (slot[dilatation_weight] == 0) continue;  // beyond the far side
@@ -217,7 +222,10 @@ int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
       } else {
         term = weight * (bd.e * wide_G(fit_argument<false, Real>(bd.e, law)));
         const Mask mask = S::expand(alive, bits);
-        const Mask breaks = mask & (bd.e > S::splat(law.e_break));
+        const V e_alive = S::keep(bd.e, mask);
+        e_max = S::max(e_max, e_alive);
+        e_min = S::min(e_min, e_alive);
+        const Mask breaks = mask & (bd.e > strength + S::load(f.extra_strength + x + n));
         if (__builtin_expect(S::any(breaks), 0)) {
           const unsigned gone = S::compress(breaks, bits);
           words[s] = static_cast<std::uint16_t>(words[s] & ~(gone << lane0));
@@ -236,6 +244,8 @@ int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
     } else if (!S::any((e_max > law.e_calm / 2) | (e_min < -law.e_calm / 2))) {
       f.state[b] = calm;
     }
+  } else if (!per_lane && alive_everywhere == 0xffff && law.stress_per_stretch > 0) {
+    if (!S::any((e_max > law.e_small / 2) | (e_min < -law.e_small / 2))) f.state[b] = intact;
   }
   return broken;
 }
@@ -272,19 +282,22 @@ int dilatation(const RowFields<Real>* rows, const RowTables<Real>* tables, int n
   return broken;
 }
 
-template <class Real, bool whole, bool per_lane>
-void block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+template <class Real, bool whole, bool per_lane, bool by_stress>
+int block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
                  const Real* constants) {
   using S = Simd<Real>;
   using V = typename S::V;
   constexpr int n = (whole ? LawDegrees<Real>::small : LawDegrees<Real>::wide) + 1;
   const typename S::Mask bits = S::lane_bits();
   const typename S::template Polynomial<n> R(fits_of<whole>(law).R), H(fits_of<whole>(law).H);
-  const std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
+  const typename S::template Polynomial<LawDegrees<Real>::wide + 1> G(law.wide.G);
+  std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
+  int broken = 0;
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const Real* const theta = f.theta + x;
+    const V strength = S::load(f.extra_strength + x) + S::splat(1);
     Real* const a[3] = {f.acceleration[0] + x, f.acceleration[1] + x, f.acceleration[2] + x};
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
     const V own_theta = S::load(theta);
@@ -302,6 +315,16 @@ void block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondL
       const V pressure =
           S::template constant<per_lane>(slot, pressure_weight) * (own_theta + S::load(theta + o));
       V scale = pressure * R(e) + S::template constant<per_lane>(slot, distortion_weight) * (bd.e * H(e));
+      if constexpr (by_stress) {
+        const V stress = law.stress_per_stretch * (bd.e * G(e)) + law.stress_per_theta * (own_theta + S::load(theta + o));
+        const typename S::Mask breaks = S::expand(alive, bits) & (stress > strength + S::load(f.extra_strength + x + o));
+        if (__builtin_expect(S::any(breaks), 0)) {
+          const unsigned gone = S::compress(breaks, bits);
+          words[s] = static_cast<std::uint16_t>(words[s] & ~(gone << lane0));
+          broken += __builtin_popcount(gone);
+          alive &= ~gone;
+        }
+      }
       if constexpr (!whole) scale = S::keep(scale, S::expand(alive, bits));
       for (int c = 0; c < 3; ++c) {
         own[c] -= scale * bd.minus_y[c];
@@ -310,32 +333,39 @@ void block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondL
     }
     for (int c = 0; c < 3; ++c) S::store(a[c], S::load(a[c]) + own[c]);
   }
+  return broken;
 }
 
 template <class Real, bool per_lane>
-void force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
+int force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
                     const Real* constants) {
-  if (f.state[b] == touched) return block_force<Real, false, per_lane>(f, t, law, b, constants);
-  if (f.state[b] == intact) return block_force<Real, true, per_lane>(f, t, law, b, constants);
+  if (f.state[b] == touched) {
+    return law.stress_per_stretch > 0 ? block_force<Real, false, per_lane, true>(f, t, law, b, constants)
+                                      : block_force<Real, false, per_lane, false>(f, t, law, b, constants);
+  }
+  if (f.state[b] == intact) return block_force<Real, true, per_lane, false>(f, t, law, b, constants);
   for (int lane0 = 0; lane0 < block; lane0 += Simd<Real>::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     calm_force<Real, per_lane>(f, t, law, x, constants + (per_lane ? lane0 : 0));
   }
+  return 0;
 }
 
 template <class Real>
-void force(const RowFields<Real>* rows, const RowTables<Real>* tables, int nz, const BondLaw<Real>& law) {
+int force(const RowFields<Real>* rows, const RowTables<Real>* tables, int nz, const BondLaw<Real>& law,
+          int owned_blocks) {
+  int broken = 0;
   for (int b = rows[0].first_block; b < rows[0].last_block; ++b) {
     if (rows[0].skip[b]) continue;
+    int in_block = 0;
     for (int k = 0; k < nz; ++k) {
       const RowTables<Real>& t = tables[k];
-      if (t.ends[b]) {
-        force_by_state<Real, true>(rows[k], t, law, b, t.ends[b]);
-      } else {
-        force_by_state<Real, false>(rows[k], t, law, b, t.interior);
-      }
+      in_block += t.ends[b] ? force_by_state<Real, true>(rows[k], t, law, b, t.ends[b])
+                            : force_by_state<Real, false>(rows[k], t, law, b, t.interior);
     }
+    if (b >= 0 && b < owned_blocks) broken += in_block;
   }
+  return broken;
 }
 
 template <class Real>

@@ -29,6 +29,7 @@ void mirror(const IceSheet& sheet, const Field& field, int sign) {
 void mirror_displacements(const IceSheet& sheet) {
   if (!sheet.at_symmetry_plane()) return;
   for (int c = 0; c < 3; ++c) mirror(sheet, sheet.u[c], c == 1 ? -1 : 1);
+  mirror(sheet, sheet.extra_strength, 1);
 }
 
 void mirror_dilatations(const IceSheet& sheet) {

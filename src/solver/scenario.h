@@ -12,6 +12,10 @@ struct IceMaterial {
   double nu = 0.0;   //!< Poisson's ratio
   double s0 = 0.0;   //!< critical stretch; 0 = from K_I
   double K_I = 0.0;  //!< fracture toughness [Pa m^0.5]; used where s0 = 0
+  // Above 0 a bond breaks where the normal stress on the plane across it is above this (Rankine), instead of
+  // at a critical stretch [Pa]
+  double tensile_strength = 0.0;
+  double crushing_pressure = 0.0;  //!< of the ice against the hull, crushing rule only [Pa]
 };
 
 struct Water {
@@ -35,7 +39,8 @@ struct Sheet {
 enum class ContactRule {
   relocation,  // to the surface, approaching normal velocity removed, Coulomb friction (docs/theory.md)
   paper,       // velocity from the relocation itself, depth capped
-  penalty      // spring of stiffness E dx
+  penalty,     // spring of stiffness E dx
+  crushing     // rigid up to the crushing pressure; ice a spacing deep is crushed (docs/theory.md)
 };
 
 enum class Precision { fp32, fp64 };  // of the particles' fields; sums over the sheet are exact in both

@@ -66,6 +66,7 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       residual{{layout.size, precision, 6}, {layout.size, precision, 7}, {layout.size, precision, 8}},
       acceleration{{layout.size, precision, 9}, {layout.size, precision, 10}, {layout.size, precision, 11}},
       theta(layout.size, precision, 12),
+      extra_strength(layout.size, precision, 13),
       bits(l, layout, stencil),
       fixed_(s.sheet.fixed),
       work_(make_work(s, material)),
@@ -85,7 +86,7 @@ template <class Real>
 IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
   const BondTableOptions options{s.numerics.surface_correction, s.ice.rho};
   Work<Real> work{
-      make_bond_law<Real>(material.s0),
+      make_bond_law<Real>(material),
       BondTables<Real>(lattice, layout, stencil, material, options),
       {},
       {},
@@ -111,7 +112,7 @@ bool IceSheet::held(int i, int j) const {
 }
 
 std::size_t IceSheet::bytes() const {
-  return 13 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size();
+  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size();
 }
 
 template <class Real>
@@ -119,6 +120,7 @@ RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k) {
   const std::size_t r = layout.row(jl, k);
   const auto at = [r](const Field& f) { return f.data<Real>() + r; };
   return {{at(u[0]), at(u[1]), at(u[2])},
+          at(extra_strength),
           {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
           at(theta),
           bits.row(jl, k),
@@ -225,11 +227,14 @@ std::int64_t IceSheet::dilatation(int jl0, int jl1) {
   return broken;
 }
 
-void IceSheet::force(int jl0, int jl1) {
+std::int64_t IceSheet::force(int jl0, int jl1) {
+  std::int64_t broken = 0;
   const auto pass = [&](auto& work) {
     for (int jl = jl1 - 1; jl >= jl0; --jl) {
       select_column(work, jl);
-      passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+      const int gone = passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law,
+                                            layout.blocks);
+      broken += jl >= 0 ? lattice.copies() * gone : at_symmetry_plane() ? gone : 0;
       // Bonds of lower columns still add to those above; a linear block is stored once they are through.
       linear_pass(work, Pass::force, jl + reach);
     }
@@ -237,6 +242,7 @@ void IceSheet::force(int jl0, int jl1) {
     for (int jl = first_column() + reach - 1; jl >= 0; --jl) linear_pass(work, Pass::force, jl);
   };
   std::visit(pass, work_);
+  return broken;
 }
 
 double IceSheet::linear_share() const {

@@ -56,6 +56,9 @@ class IceSheet {
   const Precision precision;
 
   Field u[3], v[3], residual[3], acceleration[3], theta;
+  // Added, for both ends, to what a bond bears over its limit: 0, or one of these.
+  Field extra_strength;
+  static constexpr double held_together = 1e3, crushed = -1e9;
   BondBits bits;
 
   // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. The
@@ -66,14 +69,15 @@ class IceSheet {
   void drift(const DriftSettings& settings, int jl0, int jl1);  // v += dt (bonds + g); u += dt v
   // Breaks bonds; returns how many of this rank's own did, a half model's counted in the whole sheet.
   std::int64_t dilatation(int jl0, int jl1);
-  void force(int jl0, int jl1);  // the bonds' part of the acceleration
+  // The bonds' part of the acceleration; returns how many broke by their stress, counted likewise.
+  std::int64_t force(int jl0, int jl1);
 
   void clear_dilatations();  // as the drift does
 
   // Whole passes.
   void drift(const DriftSettings& settings) { drift(settings, 0, layout.columns); }
   std::int64_t dilatation() { return dilatation(first_column(), layout.columns); }
-  void force() { force(first_column(), layout.columns); }
+  std::int64_t force() { return force(first_column(), layout.columns); }
 
   // The lowest column whose bonds reach into this rank's part.
   int first_column() const { return partition.south >= 0 || lattice.half ? -reach : 0; }

@@ -80,17 +80,17 @@ template <class Visit>
 void for_each_field(const IceSheet& sheet, Visit visit) {
   const std::pair<const char*, const Field*> groups[] = {
       {"u", sheet.u}, {"v", sheet.v}, {"residual", sheet.residual}, {"acceleration", sheet.acceleration}};
-  for (const auto& [name, fields] : groups) {
-    for (int c = 0; c < 3; ++c) {
-      const Field& field = fields[c];
-      const std::string full_name = std::string(name) + components[c];
-      if (sheet.precision == Precision::fp64) {
-        visit(full_name, field.data<double>());
-      } else {
-        visit(full_name, field.data<float>());
-      }
+  const auto visit_field = [&](const std::string& name, const Field& field) {
+    if (sheet.precision == Precision::fp64) {
+      visit(name, field.data<double>());
+    } else {
+      visit(name, field.data<float>());
     }
+  };
+  for (const auto& [name, fields] : groups) {
+    for (int c = 0; c < 3; ++c) visit_field(std::string(name) + components[c], fields[c]);
   }
+  visit_field("extra_strength", sheet.extra_strength);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ Material make_material(const IceMaterial& ice, double dx, double horizon_ratio) 
   m.b = 15.0 * m.mu / (2.0 * pi * std::pow(m.delta, 5));
   m.d = 9.0 / (4.0 * pi * std::pow(m.delta, 4));
   m.s0 = ice.s0 > 0.0 ? ice.s0 : critical_stretch(ice, m.delta);
+  m.tensile_strength = ice.tensile_strength;
+  if (m.tensile_strength > 0.0) m.s0 = m.tensile_strength / ice.E;
   return m;
 }
 

@@ -20,7 +20,13 @@ struct Material {
   double a = 0.0;      //!< [Pa]
   double b = 0.0;      //!< [Pa/m^5]
   double d = 0.0;      //!< [1/m^4]
-  double s0 = 0.0;     // critical stretch
+  double s0 = 0.0;     // critical stretch; of ice with a tensile strength that strength over E
+  double tensile_strength = 0.0;  //!< [Pa]; 0 = bonds break at s0
+
+  // Normal stress on the plane across a bond, eq. (32): stretch and the mean of both ends' dilatations.
+  double normal_stress(double stretch, double theta) const {
+    return 2.0 * mu * stretch + (kappa - 2.0 / 3.0 * mu) * theta;
+  }
 };
 
 Material make_material(const IceMaterial& ice, double dx, double horizon_ratio);

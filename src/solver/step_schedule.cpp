@@ -9,15 +9,14 @@ namespace icebow {
 StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer& timer)
     : sheet_(sheet),
       timer_(timer),
-      displacements_(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2]},
+      displacements_(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2], &sheet.extra_strength},
                      ghost_blocks, 0),
-      dilatations_(comm, sheet.partition, sheet.layout, {&sheet.theta}, 1, 1) {}
+      dilatations_(comm, sheet.partition, sheet.layout, {&sheet.theta}, ghost_blocks, 1) {}
 
 std::int64_t StepSchedule::run(const Move& move) {
   displace(move);
   const std::int64_t broken = dilate();
-  accelerate();
-  return broken;
+  return broken + accelerate();
 }
 
 void StepSchedule::refresh() {
@@ -80,19 +79,21 @@ std::int64_t StepSchedule::dilate() {
   return broken;
 }
 
-void StepSchedule::accelerate() {
+std::int64_t StepSchedule::accelerate() {
+  std::int64_t broken = 0;
   dilatations_.wait(Halo::north);
   for (int c = dilatations_.chunks() - 1; c >= 0; --c) {
     dilatations_.wait(Halo::chunk(c));
     timer_.lap(Phase::halo_theta);
-    sheet_.force(dilatations_.chunk_begin(c), dilatations_.chunk_end(c));
+    broken += sheet_.force(dilatations_.chunk_begin(c), dilatations_.chunk_end(c));
     timer_.lap(Phase::force);
   }
   dilatations_.wait(Halo::south);
   mirror_dilatations(sheet_);
   timer_.lap(Phase::halo_theta);
-  if (sheet_.first_column() < 0) sheet_.force(sheet_.first_column(), 0);
+  if (sheet_.first_column() < 0) broken += sheet_.force(sheet_.first_column(), 0);
   timer_.lap(Phase::force);
+  return broken;
 }
 
 }  // namespace icebow

@@ -35,7 +35,7 @@ class StepSchedule {
  private:
   void displace(const Move& move);
   std::int64_t dilate();
-  void accelerate();
+  std::int64_t accelerate();
 
   IceSheet& sheet_;
   PhaseTimer& timer_;

@@ -35,6 +35,8 @@ ContactSettings contact_settings(const Scenario& s, double dt, double dx) {
   c.dt = dt;
   c.particle_mass = s.ice.rho * dx * dx * dx;
   c.penalty_stiffness = s.ice.E * dx;
+  c.crushing_force = s.ice.crushing_pressure * dx * dx;
+  c.crushing_depth = dx;
   return c;
 }
 

@@ -69,7 +69,17 @@ int StillIce::settle(double tolerance) {
     rr = next;
   }
   if (n == limit) throw std::runtime_error("still ice: the forces did not balance");
+  note_dilatations();
   return n;
+}
+
+void StillIce::note_dilatations() {
+  dilatation_ = Eigen::VectorXd::Zero(address_.size());
+  const double scale = linear_scale(displacement_);
+  if (scale == 0.0) return;
+  place(displacement_, scale);
+  ice.accelerate();
+  for (std::size_t n = 0; n < address_.size(); ++n) dilatation_[n] = ice.sheet.theta[address_[n]] / scale;
 }
 
 Vec3 StillIce::support(const Where& where) {
@@ -112,11 +122,16 @@ Eigen::VectorXd StillIce::accelerations(const Eigen::VectorXd& x, double scale) 
   return a;
 }
 
-// Forces that hold the displacements x. A strain of 1e-7 at most: what is not linear is as small.
-Eigen::VectorXd StillIce::stiffness(const Eigen::VectorXd& x) {
+// A strain of 1e-7 at most: what is not linear is as small. 0 where there is nothing to linearise.
+double StillIce::linear_scale(const Eigen::VectorXd& x) const {
   const double largest = x.cwiseAbs().maxCoeff();
-  if (largest == 0.0) return x;  // nothing to linearise
-  const double scale = 1e-7 * ice.lattice.dx / largest;
+  return largest == 0.0 ? 0.0 : 1e-7 * ice.lattice.dx / largest;
+}
+
+// Forces that hold the displacements x.
+Eigen::VectorXd StillIce::stiffness(const Eigen::VectorXd& x) {
+  const double scale = linear_scale(x);
+  if (scale == 0.0) return x;
   return (accelerations(x, scale) - at_rest_) * (-mass_ / scale);
 }
 

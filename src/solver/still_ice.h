@@ -30,6 +30,8 @@ class StillIce {
   // where they do not balance.
   int settle(double tolerance = 1e-7);
 
+  // Dilatation at what settle() found.
+  double theta(int i, int j, int k) const { return dilatation_[ice.lattice.id(i, j, k)]; }
   Vec3 u(int i, int j, int k) const { return displacement_.segment<3>(3 * ice.lattice.id(i, j, k)); }
   double work() const { return 0.5 * force_.dot(displacement_); }  // of the forces, put on slowly [J]
   // Force by which the particles named are kept where they are [N].
@@ -46,11 +48,13 @@ class StillIce {
   void place(const Eigen::VectorXd& x, double scale);
   Eigen::VectorXd accelerations(const Eigen::VectorXd& x, double scale);
   Eigen::VectorXd stiffness(const Eigen::VectorXd& x);
+  double linear_scale(const Eigen::VectorXd& x) const;
+  void note_dilatations();
 
   double mass_;
   std::vector<std::size_t> address_;
   std::vector<double> free_;
-  Eigen::VectorXd force_, displacement_, at_rest_;
+  Eigen::VectorXd force_, displacement_, at_rest_, dilatation_;
   DriftSettings drift_{};
 };
 

@@ -1,4 +1,4 @@
-// Ice that tears at rest: its load is raised from nothing until the most stretched bonds break, again and
+// Ice that tears at rest: its load is raised from nothing until the bonds that are worst off break, again and
 // again. Between two breaks the ice is linear, so one equilibrium tells the load at which the next will be.
 #pragma once
 
@@ -16,12 +16,21 @@ inline double stretch(const StillIce& ice, int i, int j, int k, const Offset& o)
   return xi.dot(ice.u(i + o.di, j + o.dj, k + o.dk) - ice.u(i, j, k)) / (o.length * o.length);
 }
 
-// may_break(i, j, k, offset) names the bonds that may break. Not above 0 where none is stretched.
+// Of a bond, its stretch or the normal stress across it over what breaks it; in proportion to the load.
+inline double demand(const StillIce& ice, int i, int j, int k, const Offset& o) {
+  const Material& m = ice.ice.material;
+  const double s = stretch(ice, i, j, k, o);
+  if (!(m.tensile_strength > 0.0)) return s / m.s0;
+  const double theta = 0.5 * (ice.theta(i, j, k) + ice.theta(i + o.di, j + o.dj, k + o.dk));
+  return m.normal_stress(s, theta) / m.tensile_strength;
+}
+
+// may_break(i, j, k, offset) names the bonds that may break. Not above 0 where none is pulled.
 template <class MayBreak>
-double largest_stretch(StillIce& ice, MayBreak may_break) {
+double largest_demand(StillIce& ice, MayBreak may_break) {
   double largest = 0.0;
   cut(ice.ice.sheet, [&](int i, int j, int k, const Offset& o) {
-    if (may_break(i, j, k, o)) largest = std::max(largest, stretch(ice, i, j, k, o));
+    if (may_break(i, j, k, o)) largest = std::max(largest, demand(ice, i, j, k, o));
     return false;
   });
   return largest;
@@ -31,7 +40,7 @@ double largest_stretch(StillIce& ice, MayBreak may_break) {
 template <class MayBreak>
 std::int64_t break_above(StillIce& ice, double limit, MayBreak may_break) {
   return cut(ice.ice.sheet, [&](int i, int j, int k, const Offset& o) {
-    return may_break(i, j, k, o) && stretch(ice, i, j, k, o) > limit;
+    return may_break(i, j, k, o) && demand(ice, i, j, k, o) > limit;
   });
 }
 
@@ -43,9 +52,9 @@ struct Tear {
 template <class MayBreak>
 Tear tear(StillIce& ice, MayBreak may_break) {
   ice.settle(1e-4);
-  const double largest = largest_stretch(ice, may_break);
+  const double largest = largest_demand(ice, may_break);
   // Bonds that mirror each other break together.
-  return {ice.ice.material.s0 / largest, break_above(ice, 0.999 * largest, may_break)};
+  return {1.0 / largest, break_above(ice, 0.999 * largest, may_break)};
 }
 
 }  // namespace icebow

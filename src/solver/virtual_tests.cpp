@@ -47,19 +47,19 @@ struct Failure {
 };
 
 // Breaks bonds until the load the piece carries is well below its highest. load() is the support's at the
-// displacements given, between which and the critical stretch everything is in proportion.
+// displacements given, between which and the break everything is in proportion.
 template <class MayBreak, class Load>
 Failure fail(StillIce& ice, const MayBreak& may_break, const Load& load) {
   Failure failure;
   for (double now = 0.0; now >= fallen * failure.highest; ++failure.breaks) {
     ice.settle(balance);
-    const double stretch = largest_stretch(ice, may_break);
-    if (!(stretch > 0.0)) break;
+    const double demand = largest_demand(ice, may_break);
+    if (!(demand > 0.0)) break;
     const double unit = load();
-    now = unit * ice.ice.material.s0 / stretch;
+    now = unit / demand;
     if (failure.breaks == 0) failure.first = unit;
     failure.highest = std::max(failure.highest, now);
-    break_above(ice, (1.0 - together) * stretch, may_break);
+    break_above(ice, (1.0 - together) * demand, may_break);
   }
   return failure;
 }
@@ -97,7 +97,8 @@ CompressionTest virtual_compression_test(const Scenario& scenario) {
   prism.hold_along(far_plate, 0, -s.numerics.dx);
   const auto any = [](int, int, int, const Offset&) { return true; };
   const Failure failure = fail(prism, any, [&] { return -prism.support(far_plate).x(); });
-  return {failure.highest / (ny * s.numerics.dx * s.ice.h), failure.breaks};
+  const double inner = failure.highest / (ny * s.numerics.dx * s.ice.h), crushing = s.ice.crushing_pressure;
+  return {crushing > 0.0 ? std::min(inner, crushing) : inner, failure.breaks};
 }
 
 double buoyancy_share(double E, double h, double rho_w) {

@@ -21,7 +21,9 @@ struct BeamTest {
 BeamTest virtual_beam_test(const Scenario& scenario);
 
 struct CompressionTest {
-  double compressive_strength = 0.0;  //!< highest mean pressure on the end faces [Pa]
+  // Highest mean pressure on the end faces: where the piece fails, or where its faces are crushed (crushing
+  // rule), whichever comes first [Pa]
+  double compressive_strength = 0.0;
   int breaks = 0;
 };
 // A prism 4 h long, 2 h wide and h thick between rigid smooth plates that press along the sheet.

@@ -12,7 +12,6 @@
 #include "study/evaluate.h"
 #include "study/sha256.h"
 #include "study/spec_hints.h"
-#include "study/spec_keys.h"
 
 namespace icebow {
 namespace {
@@ -27,10 +26,11 @@ double to_six_digits(double value) {
 }
 
 LatticeNumbers measured(Scenario s) {
-  s.ice.s0 = 1e-3;  // any: strengths are in proportion to it
+  s.ice.tensile_strength = 1e-3 * s.ice.E;  // any: strengths are in proportion to it
+  s.ice.crushing_pressure = 0.0;
   const BeamTest beam = virtual_beam_test(s);
   const CompressionTest prism = virtual_compression_test(s);
-  const double stress = s.ice.E * s.ice.s0;
+  const double stress = s.ice.tensile_strength;
   return {to_six_digits(beam.elastic_modulus / s.ice.E), to_six_digits(beam.flexural_strength / stress),
           to_six_digits(prism.compressive_strength / stress)};
 }
@@ -38,13 +38,13 @@ LatticeNumbers measured(Scenario s) {
 Json to_json(const LatticeNumbers& n, const std::string& text) {
   return {{"lattice", text},
           {"modulus_over_E", n.modulus},
-          {"flexural_over_E_s0", n.flexural},
-          {"compressive_over_E_s0", n.compressive}};
+          {"flexural_over_tensile", n.flexural},
+          {"compressive_over_tensile", n.compressive}};
 }
 
 LatticeNumbers numbers_from(const Json& json) {
-  return {json.at("modulus_over_E").get<double>(), json.at("flexural_over_E_s0").get<double>(),
-          json.at("compressive_over_E_s0").get<double>()};
+  return {json.at("modulus_over_E").get<double>(), json.at("flexural_over_tensile").get<double>(),
+          json.at("compressive_over_tensile").get<double>()};
 }
 
 // A file that is damaged, or of another lattice, is as good as none.
@@ -120,18 +120,27 @@ void test_lattices(const StudyPlan& plan) {
 }
 
 IceMaterial calibrated_ice(const IceMaterial& ice, double flexural_strength, const LatticeNumbers& numbers) {
+  constexpr double lowest = 1e-6, highest = 0.05;  // tensile strength over modulus
   IceMaterial found = ice;
   found.E = ice.E / numbers.modulus;
-  found.s0 = flexural_strength / (numbers.flexural * found.E);
-  found.K_I = 0.0;
-  const Key& key = *find_key("ice", "critical_stretch");
-  if (found.s0 >= key.lower && found.s0 <= key.upper) return found;
-  throw InputError("/ice/flexural_strength: calibrated ice of flexural strength " + brief(flexural_strength) +
-                   " Pa and elastic modulus " + brief(ice.E) +
-                   " Pa (simulated scale) has a critical stretch of " + brief(found.s0) + ", allowed " +
-                   range_in_words(key, units_of(key.quantity).front()) +
-                   (found.s0 < key.lower ? "; raise the strength or lower /ice/elastic_modulus"
-                                         : "; lower the strength or raise /ice/elastic_modulus"));
+  found.tensile_strength = flexural_strength / numbers.flexural;
+  found.s0 = found.K_I = 0.0;
+  const double strain = found.tensile_strength / found.E,
+               inner_strength = numbers.compressive * found.tensile_strength;
+  const std::string of = "calibrated ice of flexural strength " + brief(flexural_strength) + " Pa";
+  if (!(strain >= lowest && strain <= highest)) {
+    throw InputError("/ice/flexural_strength: " + of + " and elastic modulus " + brief(ice.E) +
+                     " Pa (simulated scale) breaks at a strain of " + brief(strain) + ", allowed " +
+                     brief(lowest) + " to " + brief(highest) +
+                     (strain < lowest ? "; raise the strength or lower /ice/elastic_modulus"
+                                      : "; lower the strength or raise /ice/elastic_modulus"));
+  }
+  if (ice.crushing_pressure > inner_strength) {
+    throw InputError("/ice/compressive_strength: " + brief(ice.crushing_pressure) + " Pa, but " + of +
+                     " (simulated scale) splits at " + brief(inner_strength) +
+                     " Pa on this lattice; lower the compressive strength or raise the flexural one");
+  }
+  return found;
 }
 
 Scenario simulated_scenario(const Communicator& comm, const Case& full) {

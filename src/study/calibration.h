@@ -1,8 +1,8 @@
-// Ice given by what an ice tank measures: the modulus and the critical stretch with which the virtual tests
+// Ice given by what an ice tank measures: the modulus and the tensile strength with which the virtual tests
 // of solver/virtual_tests.h return the elastic modulus and the flexural strength asked for.
 //
-// The tests are linear between one broken bond and the next, so what they measure is E or E s0 times a number
-// of the lattice alone (docs/theory.md, "Ice by its tests"). The numbers are stored under the SHA-256 of all
+// The tests are linear between one broken bond and the next, so what they measure is E or the tensile strength
+// times a number of the lattice alone (docs/theory.md, "Ice by its tests"). The numbers are stored under the SHA-256 of all
 // they depend on and serve every ice and every design on that lattice.
 #pragma once
 
@@ -15,13 +15,13 @@
 namespace icebow {
 
 // Raise it when the same lattice would give other numbers.
-constexpr int virtual_tests_version = 1;
+constexpr int virtual_tests_version = 2;
 
 // What the tests of a lattice measure, over the input of its bonds.
 struct LatticeNumbers {
   double modulus = 0.0;      // measured modulus / E
-  double flexural = 0.0;     // flexural strength / (E s0)
-  double compressive = 0.0;  // compressive strength / (E s0)
+  double flexural = 0.0;     // flexural strength / tensile strength
+  double compressive = 0.0;  // at which the ice itself, not its surface, fails / tensile strength
 };
 
 // Text of all the numbers depend on: layers, horizon ratio, Poisson's ratio, surface correction.
@@ -38,8 +38,9 @@ LatticeNumbers lattice_numbers(const Scenario& scenario, const std::string& dire
 // designs that run side by side each do the same tests. What goes wrong is the design's to say.
 void test_lattices(const StudyPlan& plan);
 
-// The ice with the modulus and critical stretch that measure as `ice.E` and `flexural_strength` [Pa]. Throws
-// InputError where the critical stretch would leave the range a study file allows.
+// The ice with the modulus and tensile strength that measure as `ice.E` and `flexural_strength` [Pa]. Throws
+// InputError where it would break at a strain that the solver does not take, or fail within before its surface
+// is crushed.
 IceMaterial calibrated_ice(const IceMaterial& ice, double flexural_strength, const LatticeNumbers& numbers);
 
 // What is simulated for a case: model scale, calibrated ice with what was found. Collective; the root alone

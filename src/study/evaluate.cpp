@@ -84,7 +84,7 @@ class DesignRun {
   bool ended_ = false;  // infeasible, failed or interrupted: the rest is left out
   Case case_;
   Hull hull_;
-  double simulated_E_ = 0.0;  //!< model scale [Pa]
+  IceMaterial simulated_ice_;  // model scale
 };
 
 void DesignRun::evaluate() {
@@ -161,7 +161,7 @@ RunResult DesignRun::simulated() {
   bool machine = false;
   try {
     const Scenario scenario = simulated_scenario(comm_, case_);
-    simulated_E_ = scenario.ice.E;
+    simulated_ice_ = scenario.ice;
     run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), scenario, run_options);
   } catch (const std::exception& e) {
     error = *e.what() ? e.what() : "an exception without a message";
@@ -177,6 +177,7 @@ RunResult DesignRun::simulated() {
 
 void DesignRun::take(const RunResult& run) {
   if (run.status == RunStatus::ok) e_.result["metrics"] = metrics_json(run, case_.lambda);
+  const double stress = simulated_ice_.tensile_strength, crushing = simulated_ice_.crushing_pressure;
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
                              {"steps", run.steps},
@@ -189,8 +190,10 @@ void DesignRun::take(const RunResult& run) {
                              {"linear_share", run.linear_share},
                              {"wall_s", run.wall_seconds},
                              {"output_s", run.output_seconds},
-                             {"elastic_modulus_Pa", simulated_E_},
-                             {"critical_stretch", run.s0},
+                             {"elastic_modulus_Pa", simulated_ice_.E},
+                             {"critical_stretch", stress ? Json(nullptr) : Json(run.s0)},
+                             {"tensile_strength_Pa", stress ? Json(stress) : Json(nullptr)},
+                             {"crushing_pressure_Pa", crushing ? Json(crushing) : Json(nullptr)},
                              {"lambda", case_.lambda}};
   e_.result["profile"] = profile_json(run);
   Json pictures = Json::array();

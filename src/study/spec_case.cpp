@@ -92,7 +92,11 @@ BowParameters read_bow(Section& s) {
   return bow;
 }
 
-// Brittle bonds have one strength: given by the toughness, the critical stretch, or the flexural strength.
+// Compressive over flexural strength of ice of which only the latter is known. Sea ice has 3 to 5 (Timco and
+// Weeks 2010), model ice less.
+constexpr double usual_compressive = 3.0;
+
+// Bonds break at a stretch, given by it or by the toughness; or by stress, calibrated to the flexural strength.
 void read_fracture(Section& s, Case& c) {
   if (s.text("model", "paper") != "calibrated") {
     c.ice.s0 = given_or(s, "critical_stretch", 0.0);
@@ -102,8 +106,8 @@ void read_fracture(Section& s, Case& c) {
   c.ice_model = IceModel::calibrated;
   for (const char* given : {"fracture_toughness", "critical_stretch"}) {
     s.refuse(given,
-             "cannot be given where \"model\" is \"calibrated\": the critical stretch then follows from the "
-             "flexural strength, and the toughness with it. Drop it, or choose \"model\": \"paper\"");
+             "cannot be given where \"model\" is \"calibrated\": bonds then break by their stress, found from the "
+             "flexural strength, and the toughness follows. Drop it, or choose \"model\": \"paper\"");
   }
 }
 
@@ -113,8 +117,10 @@ void read_ice(Section& s, Case& c) {
   c.ice.E = s.number("elastic_modulus");
   c.ice.nu = s.number("poisson");
   read_fracture(s, c);
-  c.compressive_strength = given_or(s, "compressive_strength", 0.0);
   c.flexural_strength = s.number("flexural_strength");
+  const bool calibrated = c.ice_model == IceModel::calibrated;
+  c.compressive_strength =
+      given_or(s, "compressive_strength", calibrated ? usual_compressive * c.flexural_strength : 0.0);
   c.numerics.friction = s.number("friction");
 }
 
@@ -125,7 +131,17 @@ FixedEdges fixed_edges(const std::string& text) {
 
 ContactRule contact_rule(const std::string& text) {
   if (text == "paper") return ContactRule::paper;
+  if (text == "crushing") return ContactRule::crushing;
   return text == "penalty" ? ContactRule::penalty : ContactRule::relocation;
+}
+
+void read_contact(const Section& solver, Section& ice, Case& c) {
+  const bool calibrated = c.ice_model == IceModel::calibrated;
+  c.numerics.contact = contact_rule(solver.text("contact", calibrated ? "crushing" : "relocation"));
+  if (c.numerics.contact != ContactRule::crushing) return;
+  if (!calibrated)
+    ice.require("compressive_strength", "is missing: the contact rule \"crushing\" needs it (/solver/contact)");
+  c.ice.crushing_pressure = c.compressive_strength;
 }
 
 // Lengths not given follow from the ship: see docs/study_file.md, "Defaults in terms of the ship".
@@ -150,7 +166,6 @@ void read_numerics(const Section& s, double thickness, Numerics& numerics) {
   numerics.surface_correction = s.boolean("surface_correction");
   numerics.linear_below = s.number("linear_below");
   numerics.precision = s.text("precision", "fp32") == "fp64" ? Precision::fp64 : Precision::fp32;
-  numerics.contact = contact_rule(s.text("contact", "relocation"));
 }
 
 std::string metres(double value) {
@@ -237,6 +252,7 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
+  read_contact(s.solver, s.ice, c);
   const Section output(document, "output", c.lambda, mistakes);
   c.snapshots = output.integer("snapshots");
   c.pictures = output.integer("pictures");
@@ -263,6 +279,7 @@ Scenario model_scenario(const Case& full) {
   s.ice.h = model(full.ice.h, scaling::length);
   s.ice.E = model(full.ice.E, scaling::stress);
   s.ice.K_I = model(full.ice.K_I, scaling::toughness);
+  s.ice.crushing_pressure = model(full.ice.crushing_pressure, scaling::stress);
   s.water = full.water;
   s.sheet = full.sheet;
   s.sheet.length = model(full.sheet.length, scaling::length);

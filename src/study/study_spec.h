@@ -24,7 +24,7 @@ struct Case {
   IceMaterial ice;
   IceModel ice_model = IceModel::paper;  // calibrated: ice.E is to be measured, ice.s0 and ice.K_I are 0
   double flexural_strength = 0.0;        //!< for the formulas, and to be measured [Pa]
-  double compressive_strength = 0.0;     //!< to compare with [Pa]; 0 = not given
+  double compressive_strength = 0.0;     //!< to be measured [Pa]; 0 = not given
   Water water;
   Sheet sheet;
   Numerics numerics;

@@ -301,10 +301,10 @@ class Calibrate(ProgramTest):
         self.assertEqual(said["scale"], "model")
         self.assertAlmostEqual(requested["elastic_modulus_Pa"], 35e6, delta=1)
         self.assertAlmostEqual(requested["flexural_strength_Pa"], 35e3, delta=1)
-        self.assertIsNone(requested["compressive_strength_Pa"])
+        self.assertAlmostEqual(requested["compressive_strength_Pa"], 105e3, delta=1)  # three times that
         for name in ("elastic_modulus_Pa", "flexural_strength_Pa"):
             self.assertAlmostEqual(measured[name] / requested[name], 1, delta=0.03)
-        self.assertGreater(measured["compressive_strength_Pa"], measured["flexural_strength_Pa"])
+        self.assertAlmostEqual(measured["compressive_strength_Pa"] / 105e3, 1, delta=0.1)
 
     def test_full_scale_ice_is_compared_at_full_scale(self):
         words = ("calibrate", TINY, "--json", "--set", "/ice/model=calibrated", "--set",
@@ -314,10 +314,14 @@ class Calibrate(ProgramTest):
         self.assertAlmostEqual(said["requested"]["compressive_strength_Pa"], 2e6, delta=1)
         self.assertAlmostEqual(said["requested"]["flexural_strength_Pa"], 5e5, delta=1)
         self.assertAlmostEqual(said["measured"]["flexural_strength_Pa"] / 5e5, 1, delta=0.03)
+        self.assertAlmostEqual(said["measured"]["compressive_strength_Pa"] / 2e6, 1, delta=0.1)
 
-    def test_text_says_what_cannot_be_set(self):
+    def test_text_for_people(self):
         text = self.expect(0, "calibrate", TINY, *self.ICE).stdout
-        for words in ("model scale", "flexural strength", "cannot be set", "in water it would be stiffer"):
+        for words in ("model scale", "flexural strength", "crushing pressure", "in water it would be stiffer"):
+            self.assertIn(words, text)
+        text = self.expect(0, "calibrate", TINY).stdout
+        for words in ("critical stretch", "cannot be set"):
             self.assertIn(words, text)
 
     def test_ice_as_given_is_measured_too(self):
@@ -336,7 +340,9 @@ class Calibrate(ProgramTest):
         self.expect(0, "simulate", TINY, *self.ICE, "--out", self.directory, ranks=2)
         simulation = json.loads((self.directory / "result.json").read_text())["simulation"]
         self.assertAlmostEqual(simulation["elastic_modulus_Pa"] / found["elastic_modulus_Pa"], 1, places=12)
-        self.assertAlmostEqual(simulation["critical_stretch"] / found["critical_stretch"], 1, places=12)
+        for name in ("tensile_strength_Pa", "crushing_pressure_Pa"):
+            self.assertAlmostEqual(simulation[name] / found[name], 1, places=12)
+        self.assertIsNone(simulation["critical_stretch"])
 
 
 class Simulate(ProgramTest):

@@ -156,6 +156,15 @@ TEST_CASE("a run in a moving window goes on from its checkpoint") {
   check_two_parts(s);
 }
 
+TEST_CASE("a run in ice that breaks by stress and is crushed goes on from its checkpoint") {
+  Scenario s = breaking_ice();
+  s.ice.K_I = 0.0;
+  s.ice.tensile_strength = 60e3;
+  s.ice.crushing_pressure = 200e3;
+  s.numerics.contact = ContactRule::crushing;
+  check_two_parts(s);
+}
+
 TEST_CASE("a half model goes on from its checkpoint, in a moving window too") {
   Scenario s = breaking_ice();
   s.sheet.half_model = true;

@@ -69,6 +69,28 @@ TEST_CASE("the penalty rule is a spring") {
   CHECK(-r.delta_v.z() * s.particle_mass / s.dt == Approx(s.penalty_stiffness * 1e-5));
 }
 
+TEST_CASE("the crushing rule stops the approach with no more than the crushing force") {
+  ContactSettings s = settings(ContactRule::crushing, 0.0);
+  s.crushing_depth = 0.013;
+  s.crushing_force = 1e5 * 0.013 * 0.013;
+  const double yield = s.crushing_force * s.dt / s.particle_mass;  // change of velocity in a step
+  const Vec3 normal(1, 0, 0), nearly_with_the_hull(s.V - 0.1 * yield, 0, 0);
+  const ContactResponse held = respond(s, hit(5e-3, normal), nearly_with_the_hull);
+  CHECK(held.delta_v.x() == Approx(0.1 * yield));
+  CHECK(held.push.norm() == 0.0);
+  CHECK(respond(s, hit(5e-3, normal), Vec3::Zero()).delta_v.x() == Approx(yield));
+  CHECK(respond(s, hit(5e-3, normal), Vec3(2.0 * s.V, 0, 0)).delta_v.norm() == 0.0);
+}
+
+TEST_CASE("crushed ice is pushed out of the hull no faster than the hull sails") {
+  ContactSettings s = settings(ContactRule::crushing, 0.0);
+  s.crushing_depth = 0.013;
+  s.crushing_force = 1e5 * 0.013 * 0.013;
+  const ContactResponse r = respond(s, hit(0.02, Vec3(1, 0, 0)), Vec3::Zero());
+  CHECK(r.delta_v.x() == Approx(s.V));
+  CHECK(r.push.x() == Approx(s.V * s.dt));
+}
+
 TEST_CASE("sums of impulses do not depend on their order") {
   ExactImpulse forward(2e-3, 0.4, 0.013), backward = forward;
   for (int n = 0; n < 1000; ++n) forward.add(Vec3(1e-4 / (n + 1), 0, -3e-5 * n), Vec3(0.1, 0.01 * n, 0));

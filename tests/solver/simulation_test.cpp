@@ -75,6 +75,31 @@ TEST_CASE("cracks cross the cut between ranks along the course unchanged") {
   CHECK(many.metrics.broken_bonds > 1000);
 }
 
+namespace {
+
+// Breaks by stress, is crushed by the hull.
+Scenario weak_ice(Scenario s) {
+  s.ice.K_I = 0.0;
+  s.ice.tensile_strength = 60e3;
+  s.ice.crushing_pressure = 200e3;
+  s.numerics.contact = ContactRule::crushing;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("ice that breaks by stress and is crushed: the same record on any number of ranks, either way") {
+  Scenario s = weak_ice(tiny());
+  s.advance = 0.3;
+  const RunResult one = simulate(Communicator::serial(), tiny_hull(), s, {});
+  REQUIRE(one.status == RunStatus::ok);
+  CHECK(one.metrics.broken_bonds > 500);
+  check_same(simulate(test_world(), tiny_hull(), s, {}), one);
+  if (test_world().size() % 2 != 0) return;
+  s.numerics.ranks_along_x = 2;
+  check_same(simulate(test_world(), tiny_hull(), s, {}), one);
+}
+
 TEST_CASE("without friction the first touch pushes along the normal of the stem plane") {
   Scenario s = tiny();
   s.numerics.friction = 0.0;

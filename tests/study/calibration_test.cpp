@@ -48,6 +48,13 @@ TEST_CASE("calibrated ice measures as it was asked to") {
       CHECK(beam.elastic_modulus == Approx(s.ice.E).epsilon(0.03));
       CHECK(beam.flexural_strength == Approx(strength).epsilon(0.03));
       CHECK(found.ice.E > s.ice.E);  // few layers bend too easily
+      if (layers > 3 || strength != 35e3) continue;
+      for (const double compressive : {60e3, 105e3, 250e3}) {
+        Scenario crushed = s;
+        crushed.ice.crushing_pressure = compressive;
+        crushed.ice = calibrated_ice(crushed.ice, strength, numbers);
+        CHECK(virtual_compression_test(crushed).compressive_strength == Approx(compressive).epsilon(0.1));
+      }
     }
   }
 }
@@ -80,12 +87,30 @@ TEST_CASE("another lattice has other numbers") {
   CHECK(lattice_text(size) == lattice_text(s));
 }
 
-TEST_CASE("a critical stretch that no study file could give is refused, saying what to change") {
+TEST_CASE("ice that would break at a strain out of all range is refused, saying what to change") {
   const IceMaterial ice = model_scenario(calibrated_case()).ice;
-  const LatticeNumbers numbers = {0.7, 1.1, 2.4};
+  const LatticeNumbers numbers = {0.7, 1.1, 12.0};
   CHECK_THROWS_WITH(calibrated_ice(ice, 10.0, numbers),
-                    Catch::Contains("1e-06 to 0.5") && Catch::Contains("raise the strength"));
+                    Catch::Contains("1e-06 to 0.05") && Catch::Contains("raise the strength"));
   CHECK_THROWS_WITH(calibrated_ice(ice, 1e9, numbers), Catch::Contains("lower the strength"));
+}
+
+TEST_CASE("ice that would split before its surface is crushed is refused, saying what to change") {
+  IceMaterial ice = model_scenario(calibrated_case()).ice;
+  const LatticeNumbers numbers = {0.7, 1.1, 12.0};
+  ice.crushing_pressure = 11.0 * 35e3;
+  CHECK_THROWS_WITH(calibrated_ice(ice, 35e3, numbers), Catch::Contains("/ice/compressive_strength") &&
+                                                            Catch::Contains("381818") &&
+                                                            Catch::Contains("lower the compressive strength"));
+  ice.crushing_pressure = 10.0 * 35e3;
+  CHECK(calibrated_ice(ice, 35e3, numbers).tensile_strength == Approx(35e3 / 1.1));
+}
+
+TEST_CASE("calibrated ice is crushed at its compressive strength, three times the flexural one if not given") {
+  CHECK(calibrated_case().numerics.contact == ContactRule::crushing);
+  CHECK(model_scenario(calibrated_case()).ice.crushing_pressure == Approx(3 * 35e3));
+  const Case relocated = calibrated_case(R"({"layers": 2, "contact": "relocation"})");
+  CHECK(relocated.ice.crushing_pressure == 0.0);
 }
 
 TEST_CASE("ice as given is simulated as given") {

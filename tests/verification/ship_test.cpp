@@ -202,3 +202,42 @@ TEST_CASE("the momentum of breaking ice is what hull, held edges, weight and lif
     CHECK(worst < c.allowed * hull);
   }
 }
+
+namespace {
+
+// Mean force of a wall that cuts into a sheet too strong to break, over the crushing pressure on the area cut.
+double crushing_force_over_theory(double slope) {
+  constexpr int columns = 8;  // of particles, across the wall
+  Scenario s = block_scenario(48, 28, 3);
+  s.sheet.fixed = FixedEdges::sides_and_far;
+  s.ice.s0 = 0.0;
+  s.ice.tensile_strength = 2e6;
+  s.ice.crushing_pressure = 20e3;
+  s.numerics.contact = ContactRule::crushing;
+  const Lattice lattice = make_lattice(s);
+  const QuadMesh wall = sloping_box(slope, columns * lattice.dx, 0.2, 0.2, 0.5);
+  Stepper stepper(Communicator::serial(), wall, s, lattice, 0.8 * stable_step(s), first_touch_x(wall, lattice));
+  const double begin = s.ice.h / std::tan(slope) + 1.5 * lattice.dx, end = begin + 6.0 * lattice.dx;
+  double before = 0.0;
+  while (s.V * stepper.time() < end) {
+    stepper.step();
+    if (before == 0.0 && s.V * stepper.time() >= begin) {
+      stepper.take_impulse();
+      before = stepper.time();
+    }
+  }
+  const double force = -impulse_on_hull(stepper).x() / (stepper.time() - before);
+  return force / (s.ice.crushing_pressure * columns * lattice.dx * s.ice.h);
+}
+
+}  // namespace
+
+// Never more; less, for ice that rings under the wall leaves it now and then (docs/verification.md).
+TEST_CASE("a wall that crushes ice feels nearly the crushing pressure on the area it cuts") {
+  for (const double slope : {90.0, 60.0, 40.0}) {
+    const double ratio = crushing_force_over_theory(radians(slope));
+    INFO("slope " << slope << " deg: force over theory " << ratio);
+    CHECK(ratio < 1.0);
+    CHECK(ratio > 0.75);
+  }
+}
