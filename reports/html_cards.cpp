@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "reports/html_process.h"
 #include "reports/html_sections.h"
 #include "reports/json_fields.h"
 #include "reports/table_report.h"
@@ -211,8 +212,9 @@ std::string card(const ReportContent& content, std::size_t i) {
                        "Lines plan, full scale.", "lines");
   html += "<div class=\"tables\">" + angles_table(result) + loads_table(result, content.unit) +
           lindqvist_table(result, ranked, content.unit) + "</div>\n";
-  html += picture_strip(design, ranked.evaluation.name) + "<div class=\"small-print\"><div>" +
-          margins_list(result) + "</div><div>" + ice_facts(result, design.lambda) + "</div><div>" +
+  html += process_html(result, design.lambda) + picture_strip(design, ranked.evaluation.name);
+  html += "<div class=\"small-print\"><div>" + margins_list(result) + "</div><div>" +
+          ice_facts(result, design.lambda) + "</div><div>" +
           simulation_facts(result, ranked.evaluation.wall_seconds) + "</div></div>\n";
   return html + "</div></details>\n";
 }

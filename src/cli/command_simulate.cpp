@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "cli/commands.h"
+#include "cli/process_text.h"
 #include "cli/progress.h"
 #include "cli/stop_signal.h"
 #include "cli/study_choice.h"
@@ -47,7 +48,7 @@ std::string for_people(const Evaluation& e, const std::string& directory) {
   const Json& loads = e.result.at(at);
   return text + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
          kilonewtons(loads, "mean_load_ci95_N") + " kN (95 %), maximum " + kilonewtons(loads, "max_load_N") +
-         " kN\n";
+         " kN\n" + process_text(e.result);
 }
 
 // Where the time went; on stderr, as progress is, so that --json stays JSON.

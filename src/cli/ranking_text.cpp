@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "cli/process_text.h"
 #include "cli/text_table.h"
 #include "study/spec_hints.h"
 #include "study/store.h"
@@ -54,6 +55,9 @@ std::string ranking_text(const Ranking& ranking) {
   }
   std::string text = "ranked by " + ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
                      text_table(rows);
+  const std::string process = process_table(ranking);
+  if (!process.empty())
+    text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {
     text += "\nrank correlation of mean load and formula: " + brief(ranking.spearman) + " (" +

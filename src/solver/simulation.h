@@ -6,6 +6,7 @@
 
 #include "base/communicator.h"
 #include "base/quad_mesh.h"
+#include "solver/breaking_process.h"
 #include "solver/history.h"
 #include "solver/metrics.h"
 #include "solver/profile.h"
@@ -55,6 +56,7 @@ struct RunResult {
   RunEnd ended = RunEnd::advance_reached;
   History history;
   Metrics metrics;
+  BreakingProcess process;
   double dt = 0.0;                  //!< [s]
   double dt_limit = 0.0;            //!< stability limit used [s]
   double s0 = 0.0;                  // critical stretch used

@@ -11,6 +11,7 @@
 #include "hullgen/mesh_io.h"
 #include "study/calibration.h"
 #include "study/history_csv.h"
+#include "study/process_json.h"
 #include "study/provenance.h"
 #include "study/result_json.h"
 
@@ -172,7 +173,10 @@ RunResult DesignRun::simulated() {
 }
 
 void DesignRun::take(const RunResult& run) {
-  if (run.status == RunStatus::ok) e_.result["metrics"] = metrics_json(run, case_.lambda);
+  if (run.status == RunStatus::ok) {
+    e_.result["metrics"] = metrics_json(run, case_.lambda);
+    e_.result["process"] = process_json(run.process);
+  }
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
                              {"steps", run.steps},
@@ -219,7 +223,7 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
-  for (const char* part : {"hull", "lindqvist", "metrics", "simulation", "profile"}) {
+  for (const char* part : {"hull", "lindqvist", "metrics", "process", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }
