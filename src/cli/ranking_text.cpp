@@ -19,7 +19,8 @@ std::string kilonewtons(double newtons) {
 std::string interval(const RankedDesign& row) {
   if (!std::isfinite(row.mean_load)) return "-";
   const std::string half = std::isfinite(row.mean_load_ci95) ? kilonewtons(row.mean_load_ci95) : "?";
-  return kilonewtons(row.mean_load) + " \u00b1 " + half;
+  const std::string runs = row.runs > 1 ? " (" + std::to_string(row.runs) + " runs)" : "";
+  return kilonewtons(row.mean_load) + " \u00b1 " + half + runs;
 }
 
 std::string tie(const RankedDesign& row) {
@@ -58,6 +59,7 @@ std::string ranking_text(const Ranking& ranking) {
   const std::string process = process_table(ranking);
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;
+  for (const std::string& warning : ranking.warnings) text += "\nwarning: " + warning + "\n";
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {
     text += "\nrank correlation of mean load and formula: " + brief(ranking.spearman) + " (" +

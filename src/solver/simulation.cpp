@@ -13,6 +13,7 @@
 #include "solver/snapshots.h"
 #include "solver/stability.h"
 #include "solver/stepper.h"
+#include "solver/stir.h"
 #include "solver/stop_rule.h"
 
 namespace icebow {
@@ -147,6 +148,7 @@ class Loop {
 
   void run(const Lattice& lattice) {
     Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
+    stir(stepper.sheet(), options_.seed, s_.V);
     Recorder recorder(comm_, stepper, s_, result_.dt_limit);
     Snapshots snapshots(comm_, hull_, s_, options_);
     ProcessWatch process(comm_, hull_, s_, stepper, recorder.steps_per_sample());

@@ -13,6 +13,7 @@
 #include "study/history_csv.h"
 #include "study/process_json.h"
 #include "study/provenance.h"
+#include "study/resolution_bias.h"
 #include "study/result_json.h"
 
 namespace icebow {
@@ -147,6 +148,7 @@ RunResult DesignRun::simulated() {
   run_options.snapshots = case_.snapshots;
   run_options.snapshot_format = case_.snapshot_format;
   run_options.pictures = case_.pictures;
+  run_options.seed = case_.seed;
   run_options.on_progress = options_.on_progress;
   run_options.stop = options_.stop;
   if (writes()) run_options.checkpoint_file = path(checkpoint_name);
@@ -175,6 +177,7 @@ RunResult DesignRun::simulated() {
 void DesignRun::take(const RunResult& run) {
   if (run.status == RunStatus::ok) {
     e_.result["metrics"] = metrics_json(run, case_.lambda);
+    e_.result["metrics"]["resolution_bias"] = resolution_bias_json(case_);
     e_.result["process"] = process_json(run.process);
   }
   e_.result["simulation"] = {{"dt_s", run.dt},

@@ -18,7 +18,7 @@ constexpr int result_version = 3;
 static_assert(sizeof(void*) != 8 || (sizeof(BowParameters) == 120 && sizeof(IceMaterial) == 48 &&
                                      sizeof(Water) == 16 && sizeof(Sheet) == 40 && sizeof(Numerics) == 64),
               "add the new field to describe() below, then correct the size");
-static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 48 + 24 + 16 + 40 + 64 + 32 + 8 + 8,
+static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 48 + 24 + 16 + 40 + 64 + 32 + 8 + 8 + 8,
               "add the new field of Case to evaluation_key() below, then correct the size");
 
 // One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
@@ -115,6 +115,7 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   text.add("pictures", c.pictures);
   // As a stored result has it that is older than the choice.
   if (c.ice_model == IceModel::calibrated) text.add("virtual_tests.version", virtual_tests_version);
+  if (c.seed != 0) text.add("seed", static_cast<double>(c.seed));
   if (c.sheet.half_model) text.add("sheet.half_model", c.sheet.half_model);
   if (c.snapshot_format != SnapshotFormat::vtp) text.add("snapshot_format", c.snapshot_format);
   return sha256(text.str());

@@ -231,6 +231,8 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
+  const double seed = s.solver.number("seed");
+  c.seed = std::isnan(seed) ? 0 : static_cast<std::uint64_t>(seed);
   const Section output(document, "output", c.lambda, mistakes);
   c.snapshots = output.integer("snapshots");
   c.pictures = output.integer("pictures");

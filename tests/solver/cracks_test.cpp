@@ -112,7 +112,7 @@ TEST_CASE("ice is crushed where its bonds go at once, and secondary where the wa
 
 TEST_CASE("cracks along a held side are told from those of the ship") {
   CrackedSheet sheet = made_up();
-  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked(i, 36, 1.0, 0.0));
+  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked(i, 36, 6.0, 0.0));
   REQUIRE(find_cracks(sheet, wedge).list.size() == 1);
   CHECK(breaking_length(find_cracks(sheet, wedge).list).cracks == 1);
   sheet.held_beyond = 1.7;  // that column is at 1.65 m
