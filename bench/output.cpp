@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
   options.directory = folder;
   options.pictures = 1;
   Snapshots snapshots(comm, hull, s, options);
-  RunState run{stepper, recorder, snapshots};
+  ProcessWatch process(comm, hull, s, stepper, recorder.steps_per_sample());
+  RunState run{stepper, recorder, snapshots, process};
 
   timed(comm, "step", 200, [&] { stepper.step(); });
   IceCloud own;

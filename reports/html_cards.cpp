@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "reports/html_process.h"
 #include "reports/html_sections.h"
 #include "reports/json_fields.h"
 #include "reports/table_report.h"
@@ -57,7 +58,18 @@ std::string imported_note(const Json& result) {
   return html + ".</p>\n";
 }
 
-std::string loads_table(const Json& result, const LoadUnit& unit) {
+// Of repeated runs: their mean, with its interval by their scatter and by their own series.
+std::string repeats_rows(const RankedDesign& ranked, const LoadUnit& unit) {
+  if (ranked.runs < 2) return {};
+  const auto full = [&](double half) {
+    return with_interval(ranked.mean_load / unit.newtons, half / unit.newtons, unit.decimals);
+  };
+  return row("Mean of " + std::to_string(ranked.runs) + " runs, by their scatter",
+             {full(ranked.ci95_repeats), ""}) +
+         row("The same, by their series", {full(ranked.ci95_series), ""});
+}
+
+std::string loads_table(const Json& result, const RankedDesign& ranked, const LoadUnit& unit) {
   if (!std::isfinite(number_at(result, "/metrics/mean_load_N"))) return {};
   std::string rows;
   const auto add = [&](const char* name, const std::string& key, const std::string& ci_key = "") {
@@ -74,7 +86,11 @@ std::string loads_table(const Json& result, const LoadUnit& unit) {
   add("95\u00a0% quantile", "q95_load_N");
   add("Standard deviation", "std_load_N");
   add("Vertical, mean", "vertical_mean_N", "vertical_mean_ci95_N");
-  return table("Measured ice load", {"full scale, " + unit.name, "model, N"}, rows);
+  rows += repeats_rows(ranked, unit);
+  const std::string bias = text_at(result, "/metrics/resolution_bias/sentence");
+  const std::string note = bias.empty() ? "" : "<p class=\"note\">" + html_escaped(bias) + ".</p>\n";
+  return "<div>" + table("Measured ice load", {"full scale, " + unit.name, "model, N"}, rows) + note +
+         "</div>";
 }
 
 std::string lindqvist_table(const Json& result, const RankedDesign& ranked, const LoadUnit& unit) {
@@ -223,10 +239,11 @@ std::string card(const ReportContent& content, std::size_t i) {
               : figure("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Lines plan\">" +
                            design.lines_plan + "</div>",
                        "Lines plan, full scale.", "lines");
-  html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) +
-          loads_table(result, content.unit) + lindqvist_table(result, ranked, content.unit) + "</div>\n";
-  html += picture_strip(design, ranked.evaluation.name) + "<div class=\"small-print\"><div>" +
-          margins_list(result) + "</div><div>" + ice_facts(result, design.lambda) + "</div><div>" +
+  html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) + loads_table(result, ranked, content.unit) +
+          lindqvist_table(result, ranked, content.unit) + "</div>\n";
+  html += process_html(result, design.lambda) + picture_strip(design, ranked.evaluation.name);
+  html += "<div class=\"small-print\"><div>" + margins_list(result) + "</div><div>" +
+          ice_facts(result, design.lambda) + "</div><div>" +
           simulation_facts(result, ranked.evaluation.wall_seconds) + "</div></div>\n";
   return html + "</div></details>\n";
 }

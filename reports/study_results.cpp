@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "reports/json_fields.h"
 #include "study/design_space.h"
+#include "study/repeats.h"
 #include "study/store.h"
 
 namespace icebow {
@@ -54,7 +55,7 @@ void add_plan(StudyResults& study, const std::vector<Evaluation>& evaluations) {
 void count_statuses(StudyResults& study, const std::vector<Evaluation>& evaluations) {
   for (const Evaluation& e : evaluations) {
     if (e.status == EvaluationStatus::ok) ++study.ok;
-    if (e.status == EvaluationStatus::infeasible) ++study.infeasible;
+    if (e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1) ++study.infeasible;
     if (e.status == EvaluationStatus::failed) ++study.failed;
     study.wall_seconds += e.wall_seconds;
   }

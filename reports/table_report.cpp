@@ -39,6 +39,8 @@ std::string csv_row(const RankedDesign& row, const std::set<std::string>& parame
   line +=
       ',' + csv_number(row.lindqvist_breaking) + result("/lindqvist/total_N") + ',' + csv_number(row.ratio);
   line += std::string(",") + (row.tied_with_best ? "1" : "0") + ',' + (row.tied_with_next ? "1" : "0");
+  line +=
+      ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
   line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
   for (const std::string& name : parameters) {
     const auto it = e.parameters.find(name);
@@ -102,7 +104,7 @@ std::string ranking_csv(const StudyResults& study) {
       "q95_load_N,std_load_N,model_mean_load_N,model_mean_load_ci95_N,lindqvist_crushing_N,lindqvist_bending_"
       "N,"
       "lindqvist_submersion_N,lindqvist_breaking_N,lindqvist_total_N,ratio,tied_with_best,tied_with_next,"
-      "wall_s,reason";
+      "runs,ci95_series_N,ci95_repeats_N,wall_s,reason";
   for (const std::string& name : parameters) text += ',' + csv_field(name);
   text += '\n';
   for (const RankedDesign& row : study.ranking.rows) text += csv_row(row, parameters);

@@ -1,6 +1,7 @@
 #include "reports/verdict.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "reports/load_unit.h"
@@ -96,6 +97,10 @@ Verdict verdict(const StudyResults& study) {
   result.headline = headline(study, ranked);
   add_baseline_remark(study, ranked, result.remarks);
   if (study.ranking.rank_by != "lindqvist_breaking") add_lindqvist_remark(study.ranking, result.remarks);
+  for (std::string warning : study.ranking.warnings) {
+    warning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
+    result.remarks.push_back(warning + '.');
+  }
   add_missing_remark(study, result.remarks);
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "cli/commands.h"
+#include "cli/process_text.h"
 #include "cli/progress.h"
 #include "cli/stop_signal.h"
 #include "cli/study_choice.h"
@@ -40,6 +41,11 @@ std::string kilonewtons(const Json& loads, const char* key) {
   return value != loads.end() && value->is_number() ? decimals(value->get<double>() / 1e3, 1) : "-";
 }
 
+std::string bias_sentence(const Json& result) {
+  const Json::json_pointer at("/metrics/resolution_bias/sentence");
+  return result.contains(at) ? result.at(at).get<std::string>() + "\n" : "";
+}
+
 std::string for_people(const Evaluation& e, const std::string& directory) {
   std::string text = e.name + ": " + to_string(e.status) + ", results in " + directory + "\n";
   const Json::json_pointer at("/metrics/full_scale");
@@ -47,7 +53,7 @@ std::string for_people(const Evaluation& e, const std::string& directory) {
   const Json& loads = e.result.at(at);
   return text + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
          kilonewtons(loads, "mean_load_ci95_N") + " kN (95 %), maximum " + kilonewtons(loads, "max_load_N") +
-         " kN\n";
+         " kN\n" + process_text(e.result) + bias_sentence(e.result);
 }
 
 // Where the time went; on stderr, as progress is, so that --json stays JSON.

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "cli/process_text.h"
 #include "cli/text_table.h"
 #include "study/spec_hints.h"
 #include "study/store.h"
@@ -18,7 +19,8 @@ std::string kilonewtons(double newtons) {
 std::string interval(const RankedDesign& row) {
   if (!std::isfinite(row.mean_load)) return "-";
   const std::string half = std::isfinite(row.mean_load_ci95) ? kilonewtons(row.mean_load_ci95) : "?";
-  return kilonewtons(row.mean_load) + " \u00b1 " + half;
+  const std::string runs = row.runs > 1 ? " (" + std::to_string(row.runs) + " runs)" : "";
+  return kilonewtons(row.mean_load) + " \u00b1 " + half + runs;
 }
 
 std::string tie(const RankedDesign& row) {
@@ -54,6 +56,10 @@ std::string ranking_text(const Ranking& ranking) {
   }
   std::string text = "ranked by " + ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
                      text_table(rows);
+  const std::string process = process_table(ranking);
+  if (!process.empty())
+    text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;
+  for (const std::string& warning : ranking.warnings) text += "\nwarning: " + warning + "\n";
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {
     text += "\nrank correlation of mean load and formula: " + brief(ranking.spearman) + " (" +

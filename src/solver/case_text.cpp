@@ -89,8 +89,9 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   text.add("snapshot_format", static_cast<int>(options.snapshot_format));
   text.add("pictures", options.pictures);
   text.add("hull", hull_checksum(hull));
-  // The last, and as a checkpoint has it that is older than the choice.
+  // The last, and as a checkpoint has it that is older than the choices.
   if (s.sheet.half_model) text.add("sheet.half_model", true);
+  if (options.seed != 0) text.add("seed", options.seed);
   return text.str();
 }
 

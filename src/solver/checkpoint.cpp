@@ -95,6 +95,8 @@ void write_all(ParallelFile& file, const Communicator& comm, const std::string& 
   file.write_text("case", case_text);
   file.write_text("run", run_json(comm, run).dump());
   save_history(file, run.recorder.history().rows);
+  file.write_list("cracked_columns", run.process.crack_record());
+  file.write_list("dropped_ice", run.process.ice_record());
   save_touches(file, comm, stepper);
   save_sheet(file, stepper.sheet());
   file.close();
@@ -166,6 +168,7 @@ void load_checkpoint(const Communicator& comm, const std::string& path, RunState
     run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
                                  file.read_list<double>("touches"), run.stepper.sheet());
     run.recorder.restore(rows, json.at("energy_watch"));
+    run.process.restore(file.read_list<double>("cracked_columns"), file.read_list<double>("dropped_ice"));
     run.snapshots.restore(json.at("files"));
     run.wall_seconds = json.at("wall_seconds");
   } catch (const std::exception& error) {

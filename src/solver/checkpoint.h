@@ -1,6 +1,7 @@
 // A run's state on disk, from which it goes on bit for bit, on any number of ranks.
 //
-// One HDF5 file: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample), `run` (JSON:
+// One HDF5 file: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample),
+// `cracked_columns` and `dropped_ice` (process_watch.h), `run` (JSON:
 // step, counts, files written so far) and `case` (see case_text.h), by which a checkpoint of another run is
 // recognised. It is written under a second name and then renamed: a run that is killed while it writes leaves
 // the checkpoint before.
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "base/communicator.h"
+#include "solver/process_watch.h"
 #include "solver/recorder.h"
 #include "solver/simulation.h"
 #include "solver/snapshots.h"
@@ -22,6 +24,7 @@ struct RunState {
   Stepper& stepper;
   Recorder& recorder;
   Snapshots& snapshots;
+  ProcessWatch& process;
   double wall_seconds = 0.0;  // so far, of all its parts
 };
 

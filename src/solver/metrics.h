@@ -23,6 +23,10 @@ struct LoadStatistics {
 // Values must be equally spaced in time. Fewer than 8 values: ci95 is infinite.
 LoadStatistics series_statistics(const std::vector<double>& values);
 
+// Half width of the 95 % confidence interval of the mean of independent values (the means of repeated runs):
+// Student's t of their scatter. Infinite for fewer than two.
+double interval_of_repeats(const std::vector<double>& values);
+
 struct Metrics {
   LoadStatistics resistance;                  // -Fx
   LoadStatistics vertical;                    // Fz

@@ -178,16 +178,6 @@ void number_pieces(const IceSheet& sheet, UnionFind& set, SheetState& state) {
   state.floes = static_cast<int>(floes.size());
 }
 
-// Width around the centre line where the top layer does not stand, at column i.
-double channel_width(const SheetState& state, int i) {
-  const Lattice& lattice = state.lattice;
-  const auto stands = [&](int j) { return state.piece[lattice.id(i, j, lattice.nz - 1)] == 0; };
-  int j_hi = lattice.ny / 2, j_lo = j_hi - 1;
-  while (j_hi < lattice.ny && !stands(j_hi)) ++j_hi;
-  while (j_lo >= 0 && !stands(j_lo)) --j_lo;
-  return (j_hi - j_lo - 1) * lattice.dx;
-}
-
 }  // namespace
 
 SheetState gather_state(const Communicator& comm, const IceSheet& sheet) {
@@ -205,6 +195,15 @@ SheetState gather_state(const Communicator& comm, const IceSheet& sheet) {
   unpacker.write_damage();
   number_pieces(sheet, set, state);
   return state;
+}
+
+double channel_width(const SheetState& state, int i) {
+  const Lattice& lattice = state.lattice;
+  const auto stands = [&](int j) { return state.piece[lattice.id(i, j, lattice.nz - 1)] == 0; };
+  int j_hi = lattice.ny / 2, j_lo = j_hi - 1;
+  while (j_hi < lattice.ny && !stands(j_hi)) ++j_hi;
+  while (j_lo >= 0 && !stands(j_lo)) --j_lo;
+  return (j_hi - j_lo - 1) * lattice.dx;
 }
 
 IceCloud cloud(const SheetState& state) {

@@ -26,6 +26,9 @@ SheetState gather_state(const Communicator& comm, const IceSheet& sheet);
 
 IceCloud cloud(const SheetState& state);
 
+// Width around the centre line where the top layer does not stand, at column i [m].
+double channel_width(const SheetState& state, int i);
+
 // Fills the damage, channel and volume parts of the metrics. The channel is measured at the stations x in
 // [x_from, x_to] (reference positions) as the width around the centre line in which nothing stands any more.
 void measure_sheet(const SheetState& state, double x_from, double x_to, double beam, Metrics& metrics);

@@ -7,11 +7,13 @@
 
 #include "base/errors.h"
 #include "solver/checkpoint.h"
+#include "solver/process_watch.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
 #include "solver/snapshots.h"
 #include "solver/stability.h"
 #include "solver/stepper.h"
+#include "solver/stir.h"
 #include "solver/stop_rule.h"
 
 namespace icebow {
@@ -28,17 +30,6 @@ std::string text(const char* format, Values... values) {
   char buffer[320];
   std::snprintf(buffer, sizeof buffer, format, values...);
   return buffer;
-}
-
-// Distance from the stem at the waterline aft to where the waterline first has its full breadth.
-double entrance_length(const QuadMesh& hull) {
-  const Box box = bounding_box(hull);
-  const double half_beam = box.upper.y(), tolerance = 0.02 * (box.upper.z() - box.lower.z());
-  double x = box.lower.x();
-  for (const Vec3& p : hull.points) {
-    if (std::abs(p.z()) < tolerance && p.y() > 0.999 * half_beam) x = std::max(x, p.x());
-  }
-  return -x;
 }
 
 void check_window(const QuadMesh& hull, const Scenario& s) {
@@ -116,7 +107,7 @@ std::int64_t steps_of(const Scenario& s, double dt) {
 }
 
 Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Stepper& stepper,
-                const History& history) {
+                const History& history, const SheetState& state) {
   Metrics metrics;
   std::vector<double> resistance, vertical;
   metrics.steady_from = s.steady_from;
@@ -133,7 +124,6 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   metrics.bonds = bonds;
   metrics.broken_bonds = history.rows.empty() ? 0 : history.rows.back().broken_bonds;
 
-  const SheetState state = gather_state(comm, stepper.sheet());
   if (comm.is_root()) {
     const Box box = bounding_box(hull);
     measure_sheet(state, state.lattice.first * state.lattice.dx, stepper.hull_x() - entrance_length(hull),
@@ -158,15 +148,17 @@ class Loop {
 
   void run(const Lattice& lattice) {
     Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
+    stir(stepper.sheet(), options_.seed, s_.V);
     Recorder recorder(comm_, stepper, s_, result_.dt_limit);
     Snapshots snapshots(comm_, hull_, s_, options_);
+    ProcessWatch process(comm_, hull_, s_, stepper, recorder.steps_per_sample());
     result_.s0 = stepper.material().s0;
     std::int64_t bonds = stepper.sheet().bits.count();
     comm_.sum(&bonds, 1);
     result_.directed_bonds = 2 * bonds;
     result_.status = RunStatus::ok;
 
-    RunState state{stepper, recorder, snapshots};
+    RunState state{stepper, recorder, snapshots, process};
     Checkpoints checkpoints(comm_, hull_, s_, options_);
     checkpoints.resume(state);
     stepper.timer().start();
@@ -180,6 +172,8 @@ class Loop {
         result_.status = RunStatus::failed;
         break;
       }
+      process.sample(stepper);
+      stepper.timer().lap(Phase::sampling);
       linear_sum_ += stepper.sheet().linear_share();
       ++samples_;
       const auto sampled = Clock::now();
@@ -212,8 +206,10 @@ class Loop {
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();
     result_.picture_advance = snapshots.picture_advance();
-    if (result_.status == RunStatus::ok)
-      result_.metrics = measure(comm_, hull_, s_, stepper, result_.history);
+    if (result_.status != RunStatus::ok) return;
+    const SheetState sheet = gather_state(comm_, stepper.sheet());
+    result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
+    result_.process = process.sum_up(stepper, sheet, result_.history);
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "base/communicator.h"
 #include "base/quad_mesh.h"
+#include "solver/breaking_process.h"
 #include "solver/history.h"
 #include "solver/metrics.h"
 #include "solver/profile.h"
@@ -36,6 +37,8 @@ struct RunOptions {
   std::string directory;
   int snapshots = 0;  // ParaView snapshots, equally spaced in advance, the last one at the end
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+  // Above 0: the ice starts with small random velocities that are this seed's (solver/stir.h); 0 = at rest.
+  std::uint64_t seed = 0;
   int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
   std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
@@ -55,6 +58,7 @@ struct RunResult {
   RunEnd ended = RunEnd::advance_reached;
   History history;
   Metrics metrics;
+  BreakingProcess process;
   double dt = 0.0;                  //!< [s]
   double dt_limit = 0.0;            //!< stability limit used [s]
   double s0 = 0.0;                  // critical stretch used

@@ -79,6 +79,14 @@ double students_t_975(double degrees_of_freedom) {
 
 }  // namespace
 
+double interval_of_repeats(const Values& values) {
+  const double n = static_cast<double>(values.size()), mean = mean_of(values);
+  if (values.size() < 2) return std::numeric_limits<double>::infinity();
+  double square = 0.0;
+  for (double v : values) square += (v - mean) * (v - mean);
+  return students_t_975(n - 1.0) * std::sqrt(square / (n - 1.0) / n);
+}
+
 LoadStatistics series_statistics(const Values& values) {
   LoadStatistics result;
   result.samples = static_cast<int>(values.size());

@@ -96,7 +96,7 @@ void Stepper::set_hull_box() {
 
 // Velocity Verlet in its half-step form: `v` lives between the positions, one force evaluation a step.
 void Stepper::step() {
-  if (window_is_due()) move_window();
+  if (window_is_due(steps_)) move_window();
   ++steps_;
   contacts_ = 0;
   set_hull_box();
@@ -105,10 +105,10 @@ void Stepper::step() {
   timer_.lap(Phase::energy);
 }
 
-// The ship has come so near the end of the ice that less than asked for lies ahead.
-bool Stepper::window_is_due() const {
+// After so many steps the ship is so near the end of the ice that less than asked for lies ahead.
+bool Stepper::window_is_due(std::int64_t steps) const {
   const Lattice& l = sheet_.lattice;
-  return window_ahead_ > 0.0 && V_ * time() > (l.first + l.nx) * l.dx - window_ahead_;
+  return window_ahead_ > 0.0 && V_ * (steps * dt_) > (l.first + l.nx) * l.dx - window_ahead_;
 }
 
 void Stepper::move_window() {

@@ -26,6 +26,8 @@ class Stepper {
   std::int64_t steps() const { return steps_; }
   double time() const { return steps_ * dt_; }
   double hull_x() const { return start_x_ + V_ * time(); }
+  // Whether one of the next so many steps begins with a move of the window.
+  bool window_moves_within(std::int64_t steps) const { return window_is_due(steps_ + steps - 1); }
   const IceSheet& sheet() const { return sheet_; }
   IceSheet& sheet() { return sheet_; }
   const Material& material() const { return material_; }
@@ -49,7 +51,7 @@ class Stepper {
 
  private:
   void set_hull_box();
-  bool window_is_due() const;
+  bool window_is_due(std::int64_t steps) const;
   void move_window();
   void move(int jl0, int jl1);  // drift and contact of columns
 

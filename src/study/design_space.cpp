@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "study/evaluate.h"
+#include "study/repeats.h"
 #include "study/sampling.h"
 #include "study/sha256.h"
 
@@ -66,24 +67,31 @@ std::vector<std::vector<double>> method_points(const Method& method) {
 
 class Plan {
  public:
-  void add(PlannedDesign p) {
+  explicit Plan(const StudySpec& spec) : spec_(spec) {}
+  void add(const PlannedDesign& design) {
+    for (PlannedDesign& run : runs_of(spec_, design)) add_run(std::move(run));
+  }
+  StudyPlan plan;
+
+ private:
+  void add_run(PlannedDesign p) {
     const auto [first, is_new] = names_.emplace(p.key, p.design.name);
     if (!is_new) {
+      if (run_name(p.design.name).number > 1) return;
       plan.notes.push_back(p.design.name + " is the same as " + first->second + ": evaluated once");
       return;
     }
     plan.designs.push_back(std::move(p));
   }
-  StudyPlan plan;
 
- private:
+  const StudySpec& spec_;
   std::map<std::string, std::string> names_;  // by key
 };
 
 }  // namespace
 
 StudyPlan plan_study(const StudySpec& spec) {
-  Plan plan;
+  Plan plan(spec);
   if (spec.include_baseline) plan.add(planned(spec, "baseline", spec.document));
   for (const NamedDesign& named : spec.designs) {
     Json document = spec.document;
@@ -104,6 +112,15 @@ PlannedDesign design_at(const StudySpec& spec, const std::string& name, const st
     document[Json::json_pointer(spec.method.variables[i].pointer)] = rounded(x[i]);
   }
   return planned(spec, name, std::move(document));
+}
+
+std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design) {
+  std::vector<PlannedDesign> runs = {design};
+  for (int number = 2; number <= spec.repeats; ++number) {
+    runs.push_back(planned(spec, repeat_name(design.design.name, number),
+                           repeat_document(design.design.document, number)));
+  }
+  return runs;
 }
 
 std::vector<double> start_point(const StudySpec& spec) {

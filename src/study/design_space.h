@@ -17,7 +17,8 @@ struct PlannedDesign {
 
 // What is known before anything runs. An optimiser proposes the rest as it goes.
 struct StudyPlan {
-  std::vector<PlannedDesign> designs;  // baseline, named designs, then those of the method; no key twice
+  std::vector<PlannedDesign> designs;  // baseline, named designs, then those of the method, each followed by
+                                       // its repeats; no key twice
   std::vector<std::string> notes;      // "d004 is the same as baseline: evaluated once"
   int proposals = 0;  // optimise: how many designs the optimiser may add at most; 0 otherwise
 };
@@ -27,6 +28,9 @@ StudyPlan plan_study(const StudySpec& spec);
 
 // The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);
+
+// The runs of a design: itself, and its repeats by the study (study/repeats.h).
+std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design);
 
 // Where an optimiser starts: the file's own values, the middle of the range where the file leaves a variable
 // out.

@@ -11,7 +11,9 @@
 #include "study/calibration.h"
 #include "study/case_hull.h"
 #include "study/history_csv.h"
+#include "study/process_json.h"
 #include "study/provenance.h"
+#include "study/resolution_bias.h"
 #include "study/result_json.h"
 
 namespace icebow {
@@ -150,6 +152,7 @@ RunResult DesignRun::simulated() {
   run_options.snapshots = case_.snapshots;
   run_options.snapshot_format = case_.snapshot_format;
   run_options.pictures = case_.pictures;
+  run_options.seed = case_.seed;
   run_options.on_progress = options_.on_progress;
   run_options.stop = options_.stop;
   if (writes()) run_options.checkpoint_file = path(checkpoint_name);
@@ -176,7 +179,11 @@ RunResult DesignRun::simulated() {
 }
 
 void DesignRun::take(const RunResult& run) {
-  if (run.status == RunStatus::ok) e_.result["metrics"] = metrics_json(run, case_.lambda);
+  if (run.status == RunStatus::ok) {
+    e_.result["metrics"] = metrics_json(run, case_.lambda);
+    e_.result["metrics"]["resolution_bias"] = resolution_bias_json(case_);
+    e_.result["process"] = process_json(run.process);
+  }
   const double stress = simulated_ice_.tensile_strength, crushing = simulated_ice_.crushing_pressure;
   e_.result["simulation"] = {{"dt_s", run.dt},
                              {"dt_limit_s", run.dt_limit},
@@ -226,7 +233,7 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
-  for (const char* part : {"hull", "lindqvist", "metrics", "simulation", "profile"}) {
+  for (const char* part : {"hull", "lindqvist", "metrics", "process", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }

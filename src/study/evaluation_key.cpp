@@ -24,7 +24,7 @@ static_assert(sizeof(void*) != 8 ||
                   (sizeof(BowParameters) == 120 && sizeof(IceMaterial) == 64 && sizeof(Water) == 16 &&
                    sizeof(Sheet) == 40 && sizeof(Numerics) == 64 && sizeof(MeshFrame) == 80),
               "add the new field to describe() below, then correct the size");
-static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 168 + 64 + 24 + 16 + 40 + 64 + 32 + 8 + 8,
+static_assert(sizeof(void*) != 8 || sizeof(Case) == 8 + 120 + 168 + 64 + 24 + 16 + 40 + 64 + 32 + 8 + 8 + 8,
               "add the new field of Case to evaluation_key() below, then correct the size");
 
 // One line a field, numbers as hexadecimal floats: exact, the same on every machine, and readable when two
@@ -144,6 +144,7 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   if (family_form(c.bow.family).graded_by_curvature) text.add("hull.mesh_version", well_shaped_mesh_version);
   // As a stored result has it that is older than the choice.
   if (c.ice_model == IceModel::calibrated) text.add("virtual_tests.version", virtual_tests_version);
+  if (c.seed != 0) text.add("seed", static_cast<double>(c.seed));
   if (c.sheet.half_model) text.add("sheet.half_model", c.sheet.half_model);
   if (c.snapshot_format != SnapshotFormat::vtp) text.add("snapshot_format", c.snapshot_format);
   return sha256(text.str());

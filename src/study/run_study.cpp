@@ -12,6 +12,7 @@
 #include "study/design_files.h"
 #include "study/optimiser.h"
 #include "study/ranking.h"
+#include "study/repeats.h"
 #include "study/runner.h"
 #include "study/store.h"
 #include "study/study_directory.h"
@@ -103,13 +104,15 @@ void StudyLoop::run_optimiser() {
 
 // A point the study has met already, the baseline for one, keeps the name it has.
 double StudyLoop::value_at(const std::vector<double>& x) {
-  PlannedDesign planned = design_at(spec_, numbered_name(numbered_ + 1), x);
-  if (values_.count(planned.key) == 0) {
+  const std::vector<PlannedDesign> runs = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
+  if (values_.count(runs.front().key) == 0) {
     ++numbered_;
-    store_.add_to_study(planned.key);
-    evaluate_all({planned});
+    for (const PlannedDesign& run : runs) store_.add_to_study(run.key);
+    evaluate_all(runs);
   }
-  return values_.at(planned.key);
+  std::vector<double> values;
+  for (const PlannedDesign& run : runs) values.push_back(values_.at(run.key));
+  return repeated_mean(values, values).mean;
 }
 
 std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) const {
@@ -213,7 +216,7 @@ void StudyLoop::sum_up() {
   const std::vector<Evaluation> evaluations = store_.all();
   for (const Evaluation& e : evaluations) {
     outcome_.ok += e.status == EvaluationStatus::ok;
-    outcome_.infeasible += e.status == EvaluationStatus::infeasible;
+    outcome_.infeasible += e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1;
     outcome_.failed += e.status == EvaluationStatus::failed;
   }
   const Ranking ranking = rank_designs(evaluations, spec_.rank_by);

@@ -253,6 +253,8 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
   read_contact(s.solver, s.ice, c);
+  const double seed = s.solver.number("seed");
+  c.seed = std::isnan(seed) ? 0 : static_cast<std::uint64_t>(seed);
   const Section output(document, "output", c.lambda, mistakes);
   c.snapshots = output.integer("snapshots");
   c.pictures = output.integer("pictures");

@@ -22,6 +22,7 @@ const std::vector<Key> table = {
   {"", "purpose", Quantity::text, 0, 0, false, none, "empty", "what the study is to find out; printed in the report", {}},
   {"", "scale", Quantity::number, 1, 1000, false, 25, "25", "lambda: full scale / simulated model; 1 simulates at full scale", {}},
   {"", "include_baseline", Quantity::boolean, 0, 0, false, 1, "true", "evaluate the file's own design, named \"baseline\", first", {}},
+  {"", "repeats", Quantity::integer, 1, 100, false, 1, "1", "each design is simulated so many times, with /solver/seed counted up from the file's; the ranking goes by the mean of the runs and its interval by their scatter", {}},
 
   {"bow", "family", Quantity::choice, 0, 0, true, none, "", "which form the bow has", family_keys()},
   {"bow", "length", Quantity::length, 0.5, 600, true, none, "", "length between perpendiculars L", {}},
@@ -89,6 +90,7 @@ const std::vector<Key> table = {
   {"solver", "linear_below", Quantity::number, 0, 0.01, false, 1e-3, "0.001", "ice whose displacement gradient is below this follows the linearised bond law, at a fraction of the cost; 0 = nowhere", {}},
   {"solver", "precision", Quantity::choice, 0, 0, false, none, "fp32", "floating point of displacements and velocities; sums over the sheet are exact in both", {"fp32", "fp64"}},
   {"solver", "contact", Quantity::choice, 0, 0, false, none, "relocation; crushing where the ice is calibrated", "contact rule between hull and ice", {"relocation", "paper", "penalty", "crushing"}},
+  {"solver", "seed", Quantity::integer, 0, any, false, 0, "0", "start of the random numbers by which the ice has small velocities of its own when the run begins, so that runs with different seeds break differently; 0 = at rest", {}},
 
   {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},
   {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},

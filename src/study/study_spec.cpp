@@ -20,6 +20,13 @@ void check_ranking(const StudySpec& spec, const Section& ranking, Mistakes& mist
                                                  "\" in /evaluators"});
 }
 
+void check_repeats(const StudySpec& spec, Mistakes& mistakes) {
+  if (spec.repeats <= 1 || spec.use_peridynamics) return;
+  mistakes.push_back({"/repeats", "is " + std::to_string(spec.repeats) +
+                                      ", but a formula gives the same each time: drop it, or add "
+                                      "\"peridynamics\" to /evaluators"});
+}
+
 void check_not_empty(const StudySpec& spec, Mistakes& mistakes) {
   if (spec.include_baseline || !spec.designs.empty() || spec.method.type != MethodType::list) return;
   mistakes.push_back(
@@ -38,6 +45,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   spec.name = main.text("name", std::filesystem::path(name).stem().string());
   spec.purpose = main.text("purpose", "");
   spec.include_baseline = main.boolean("include_baseline");
+  spec.repeats = std::max(1, main.integer("repeats"));
   spec.baseline = parse_case(document, mistakes);
   const std::size_t before = mistakes.size();
   parse_evaluators(document, spec, mistakes);
@@ -50,6 +58,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   const Section execution(document, "execution", 1.0, mistakes);
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
                     execution.number("time_limit")};
+  if (evaluators_known) check_repeats(spec, mistakes);
   check_not_empty(spec, mistakes);
   return spec;
 }

@@ -32,6 +32,7 @@ struct Case {
   double advance = 0.0;               //!< [m]
   double steady_from = 0.0;           //!< [m]
   double stop_when_ci95_below = 0.0;  // relative half width that ends a run early; 0 = none does
+  std::uint64_t seed = 0;             // of the ice's start; 0 = at rest
   int snapshots = 0, pictures = 0;
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
 };
@@ -81,6 +82,7 @@ struct StudySpec {
   Method method;
   std::vector<NamedDesign> designs;
   bool include_baseline = true;
+  int repeats = 1;                    // simulations of each design, with different seeds
   std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "lindqvist_breaking"
   Execution execution;
 };

@@ -28,16 +28,19 @@ struct Run {
         lattice(make_lattice(s)),
         stepper(comm, hull, s, lattice, size.dt, first_touch_x(hull, lattice)),
         recorder(comm, stepper, s),
-        snapshots(comm, hull, s, options) {}
+        snapshots(comm, hull, s, options),
+        process(comm, hull, s, stepper, recorder.steps_per_sample()) {}
 
   void samples(int n) {
     std::string reason;
     for (std::int64_t step = 0; step < n * recorder.steps_per_sample(); ++step) {
       stepper.step();
-      if (stepper.steps() % recorder.steps_per_sample() == 0) REQUIRE(recorder.sample(stepper, reason));
+      if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
+      REQUIRE(recorder.sample(stepper, reason));
+      process.sample(stepper);
     }
   }
-  RunState state() { return {stepper, recorder, snapshots}; }
+  RunState state() { return {stepper, recorder, snapshots, process}; }
   std::string text() const { return case_text(hull, s, options); }
 
   const Communicator& comm;
@@ -49,6 +52,7 @@ struct Run {
   Stepper stepper;
   Recorder recorder;
   Snapshots snapshots;
+  ProcessWatch process;
 };
 
 // Groups of 1, 2, .. ranks out of the world's; the others do nothing.
@@ -108,6 +112,8 @@ void check_second_part(const Communicator& comm, const std::string& file, const 
   CHECK(run.stepper.steps() == straight.stepper.steps());
   check_same(run.recorder.history(), straight.recorder.history());
   check_same(run.stepper.sheet(), straight.stepper.sheet());
+  CHECK(run.process.crack_record() == straight.process.crack_record());
+  if (comm.is_root()) CHECK(run.process.ice_record() == straight.process.ice_record());
 }
 
 void check_two_parts(Scenario s) {
@@ -118,6 +124,7 @@ void check_two_parts(Scenario s) {
   Run straight(alone, s);
   straight.samples(34);
   REQUIRE(straight.stepper.broken_bonds() > 1000);
+  REQUIRE_FALSE(straight.process.crack_record().empty());
 
   Run first(world, s);
   first.samples(24);

@@ -6,6 +6,7 @@
 #include "../main.h"
 #include "base/errors.h"
 #include "ice_block.h"
+#include "same_process.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
 #include "solver/simulation.h"
@@ -183,6 +184,7 @@ void check_same(const RunResult& many, const RunResult& one) {
   CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
   CHECK(many.metrics.broken_volume == one.metrics.broken_volume);
   CHECK(many.metrics.floes == one.metrics.floes);
+  CHECK(same_process(many.process, one.process));
 }
 
 void check_on_any_grid(Scenario s) {

@@ -5,6 +5,7 @@
 
 #include "../main.h"
 #include "base/errors.h"
+#include "same_process.h"
 #include "solver/simulation.h"
 #include "solver/stepper.h"
 #include "tiny_hull.h"
@@ -34,6 +35,7 @@ void check_same(const RunResult& many, const RunResult& one) {
   }
   CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
   CHECK(many.metrics.floes == one.metrics.floes);
+  CHECK(same_process(many.process, one.process));
 }
 
 double mean_resistance(const RunResult& r, double from, double to) {
@@ -58,6 +60,14 @@ TEST_CASE("a moving window gives the same record on any number of ranks and any 
     s.numerics.ranks_along_x = 2;
     check_same(simulate(test_world(), tiny_hull(), s, {}), one);
   }
+}
+
+TEST_CASE("what a window drops is in the numbers of the broken ice") {
+  if (test_world().size() > 1) return;
+  const RunResult r = simulate(Communicator::serial(), tiny_hull(), windowed(), {});
+  const BreakingProcess& p = r.process;
+  CHECK(p.ice.volume > r.metrics.broken_volume);
+  CHECK(p.energy.left_astern > 0.0);
 }
 
 TEST_CASE("fresh ice is whole, at rest, and bonded to the old") {

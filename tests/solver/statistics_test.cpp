@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "solver/metrics.h"
@@ -48,6 +49,31 @@ TEST_CASE("Statistics: the 95 % interval covers the mean of a correlated series"
   const double share = coverage(0.97, 400, 400);
   INFO("short, coverage " << share);
   CHECK(share > 0.88);
+}
+
+TEST_CASE("Statistics: the interval of repeats covers the mean, however few and short they are") {
+  std::mt19937 engine(11);
+  for (const int runs : {2, 3, 5, 10}) {
+    int covered = 0, normal = 0;
+    for (int k = 0; k < 2000; ++k) {
+      std::vector<double> means;
+      for (int r = 0; r < runs; ++r) {
+        // Ten values of correlation time 20: no interval of its own would do.
+        const std::vector<double> series = ar1(0.9, 5.0, 10, engine);
+        means.push_back(std::accumulate(series.begin(), series.end(), 0.0) / 10.0);
+      }
+      const double mean = std::accumulate(means.begin(), means.end(), 0.0) / runs;
+      const double half = interval_of_repeats(means);
+      covered += std::abs(mean - 5.0) <= half;
+      normal += std::abs(mean - 5.0) <= half * 1.96 / (runs == 2 ? 12.7062 : 4.3027);
+    }
+    INFO(runs << " runs: " << covered << " of 2000");
+    CHECK(covered > 1870);
+    CHECK(covered < 1930);
+    if (runs <= 3) CHECK(normal < 1820);  // with 1.96 in the place of Student's t
+  }
+  CHECK(std::isinf(interval_of_repeats({5.0})));
+  CHECK(interval_of_repeats({5.0, 5.0, 5.0}) == 0.0);
 }
 
 TEST_CASE("Statistics: an interval that ignored the correlation would not cover") {

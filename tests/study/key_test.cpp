@@ -58,6 +58,7 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { c.numerics.surface_correction ^= true; },
       [&](Case& c) { c.numerics.contact = ContactRule::penalty; },
       [&](Case& c) { bit(c.numerics.friction); },
+      [&](Case& c) { c.seed = 1; },
       [&](Case& c) { bit(c.V); },
       [&](Case& c) { bit(c.advance); },
       [&](Case& c) { bit(c.steady_from); },

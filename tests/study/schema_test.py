@@ -46,6 +46,7 @@ class SchemaTest(unittest.TestCase):
 
     def test_both_accept_good_files(self):
         files = json_files(FILES / "good") + json_files(ROOT / "studies") + json_files(ROOT / "studies/families")
+        files.append(ROOT / "studies/convergence/layers.json")
         said = reader(files)
         for path in files:
             with self.subTest(path.name):

@@ -1,0 +1,15 @@
+// How the ice broke, for a terminal.
+#pragma once
+
+#include <string>
+
+#include "study/ranking.h"
+
+namespace icebow {
+
+// A line a ranked design; empty where none was simulated.
+std::string process_table(const Ranking& ranking);
+// Of one result; a few lines, empty where it has no "process".
+std::string process_text(const Json& result);
+
+}  // namespace icebow

@@ -1,0 +1,30 @@
+// Cracks of a run from the columns that cracked: their kind, place, length and order. docs/theory.md, "The
+// breaking process".
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "solver/breaking_process.h"
+#include "solver/crack_watch.h"
+#include "solver/hull_section.h"
+
+namespace icebow {
+
+struct CrackedSheet {
+  Lattice lattice;                                               // of the run
+  std::vector<CrackedColumn> columns;                            // of a half model those of the port half
+  double thickness = 0.0;                                        //!< [m]
+  double characteristic_length = 0.0;                            //!< [m]
+  double held_beyond = std::numeric_limits<double>::infinity();  //!< |y| from which the sides are held [m]
+  double first_touch_x = 0.0;                                    //!< of the hull's frame at advance 0 [m]
+};
+
+// Neighbouring columns (two apart at most) of one kind that opened within an advance of one thickness of each
+// other form a crack; what is shorter than two thicknesses is none, but for crushed ice.
+Cracks find_cracks(const CrackedSheet& sheet, const std::vector<Segment>& waterline);
+
+// l = (E h^3 / (12 (1 - nu^2) rho_w g))^(1/4) of a plate on water [m].
+double characteristic_length(double E, double h, double nu, double rho_w);
+
+}  // namespace icebow

@@ -1,0 +1,84 @@
+#include "study/resolution_bias.h"
+
+#include <cmath>
+
+#include "base/errors.h"
+#include "study/spec_hints.h"
+
+namespace icebow {
+
+extern const char* const resolution_table;  // resolution_table.cpp.in
+
+namespace {
+
+const char* const file = "studies/convergence/bias.json";
+const char* const ice_models[] = {"paper", "calibrated"};
+const char* const contacts[] = {"relocation", "paper", "penalty"};
+
+template <std::size_t n>
+int index_of(const char* const (&words)[n], const Json& entry, const char* key, const std::string& at) {
+  const std::string word = entry.value(key, std::string());
+  std::string allowed;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (word == words[i]) return static_cast<int>(i);
+    allowed += std::string(i ? ", " : "") + words[i];
+  }
+  throw InputError(file, {{at + "/" + key, "is \"" + word + "\", must be one of " + allowed}});
+}
+
+double number_in(const Json& entry, const char* key, double lowest, double highest, const std::string& at) {
+  const auto value = entry.find(key);
+  if (value != entry.end() && value->is_number() && value->get<double>() >= lowest &&
+      value->get<double>() <= highest)
+    return value->get<double>();
+  throw InputError(file, {{at + "/" + key, "is " + (value == entry.end() ? "missing" : value->dump()) +
+                                               ", allowed " + brief(lowest) + " to " + brief(highest)}});
+}
+
+}  // namespace
+
+std::vector<ResolutionBias> parse_bias_table(const Json& table) {
+  if (!table.is_object() || table.value("format", 0) != 1 || !table.contains("entries") ||
+      !table.at("entries").is_array())
+    throw InputError(file, {{"", "must be {\"format\": 1, \"entries\": [...]}"}});
+  std::vector<ResolutionBias> result;
+  for (const Json& entry : table.at("entries")) {
+    const std::string at = "/entries/" + std::to_string(result.size());
+    if (!entry.is_object()) throw InputError(file, {{at, "must be an object"}});
+    ResolutionBias bias;
+    bias.layers = static_cast<int>(number_in(entry, "layers", 1, 50, at));
+    bias.ice_model = static_cast<IceModel>(index_of(ice_models, entry, "ice_model", at));
+    bias.contact = static_cast<ContactRule>(index_of(contacts, entry, "contact", at));
+    bias.relative = number_in(entry, "load_over_limit", 0.01, 100, at) - 1.0;
+    bias.ci95 = number_in(entry, "ci95", 0.0, 100, at);
+    result.push_back(bias);
+  }
+  return result;
+}
+
+const std::vector<ResolutionBias>& bias_table() {
+  static const std::vector<ResolutionBias> table = parse_bias_table(parse_json(resolution_table, file));
+  return table;
+}
+
+Json resolution_bias_json(const Case& c, const std::vector<ResolutionBias>& table) {
+  const int layers = static_cast<int>(std::lround(c.ice.h / c.numerics.dx));
+  for (const ResolutionBias& bias : table) {
+    if (bias.layers != layers || bias.ice_model != c.ice_model || bias.contact != c.numerics.contact)
+      continue;
+    return {{"known", true},
+            {"relative", bias.relative},
+            {"ci95", bias.ci95},
+            {"sentence", "resolution bias: loads of " + std::to_string(layers) + " layers are " +
+                             brief(100.0 * bias.relative) + " % above the limit of fine lattices, \u00b1 " +
+                             brief(100.0 * bias.ci95) + " % (95 %)"}};
+  }
+  return {{"known", false},
+          {"relative", nullptr},
+          {"ci95", nullptr},
+          {"sentence", "resolution bias: not known for this spacing (" + std::to_string(layers) +
+                           " layers, ice model " + ice_models[static_cast<int>(c.ice_model)] + ", contact " +
+                           contacts[static_cast<int>(c.numerics.contact)] + ")"}};
+}
+
+}  // namespace icebow
