@@ -132,9 +132,8 @@ void draw_views(SvgCanvas& svg, const Sheet& sheet, const ForeBody& body) {
 // A piece of line, and the hull's name, family and dimensions.
 void draw_legend(SvgCanvas& svg, double y, const NamedHull& hull) {
   svg.line({left_margin, y - 4.0}, {left_margin + 44.0, y - 4.0}, "outline");
-  svg.text({left_margin + 56.0, y},
-           hull.name + ": " + hull.hull.form + ", " + dimensions(hull.bow), Anchor::start,
-           "cell");
+  svg.text({left_margin + 56.0, y}, hull.name + ": " + hull.hull.form + ", " + dimensions(hull.bow),
+           Anchor::start, "cell");
 }
 
 }  // namespace

@@ -178,7 +178,8 @@ std::string simulation_facts(const Json& result, double wall_seconds) {
   facts.add("Time step, model", number_at(run, "/dt_s") * 1e6, 1, "\u00b5s");
   const double stretch = number_at(run, "/critical_stretch");
   if (std::isfinite(stretch)) facts.add("Critical stretch", engineering(stretch, ""));
-  const double tensile = number_at(run, "/tensile_strength_Pa"), crushing = number_at(run, "/crushing_pressure_Pa");
+  const double tensile = number_at(run, "/tensile_strength_Pa"),
+               crushing = number_at(run, "/crushing_pressure_Pa");
   if (std::isfinite(tensile)) facts.add("Tensile strength of bonds, model", tensile / 1e3, 1, "kPa");
   if (std::isfinite(crushing)) facts.add("Crushing pressure, model", crushing / 1e3, 1, "kPa");
   facts.add("Model scale", "1\u2009:\u2009" + fixed(number_at(run, "/lambda"), 0));
@@ -239,8 +240,9 @@ std::string card(const ReportContent& content, std::size_t i) {
               : figure("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Lines plan\">" +
                            design.lines_plan + "</div>",
                        "Lines plan, full scale.", "lines");
-  html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) + loads_table(result, ranked, content.unit) +
-          lindqvist_table(result, ranked, content.unit) + "</div>\n";
+  html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) +
+          loads_table(result, ranked, content.unit) + lindqvist_table(result, ranked, content.unit) +
+          "</div>\n";
   html += process_html(result, design.lambda) + picture_strip(design, ranked.evaluation.name);
   html += "<div class=\"small-print\"><div>" + margins_list(result) + "</div><div>" +
           ice_facts(result, design.lambda) + "</div><div>" +

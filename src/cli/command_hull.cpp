@@ -83,9 +83,10 @@ int run_hull(const Communicator&, const Arguments& arguments) {
     throw InputError(
         "--explain says what limits the angles of a generated bow; this design's hull is imported");
   if (chosen.description.own.given() && is_surface_file(path))
-    throw InputError("--out " + path +
-                     ": surfaces are written of generated bows; this design's hull is an imported mesh: give a "
-                     "mesh's ending (.obj, .stl, .ply, .vtp)");
+    throw InputError(
+        "--out " + path +
+        ": surfaces are written of generated bows; this design's hull is an imported mesh: give a "
+        "mesh's ending (.obj, .stl, .ply, .vtp)");
   const Flotation at = flotation(arguments, bow);
   const std::optional<OverlaidHull> overlaid = overlaid_hull(spec, arguments);
   const Hull hull = make_hull(chosen.description);

@@ -13,7 +13,8 @@
 //   calm     all bonds there, |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone
 //            (relative error of a force below 0.75 e_calm), in fp64 three terms (below 1e-9)
 //   intact   all bonds there, |e| <= e_small: fits of a low degree, no bond bits
-//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a shortening of
+//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a shortening
+//   of
 //            10 %) they stay at their value there. Where bonds break by stress, back to intact once
 //            they have slackened and all are there
 #pragma once
@@ -166,7 +167,8 @@ struct Passes {
                     int owned_blocks);
   // Adds their bonds to the acceleration of both ends; breaks those whose stress is too high and returns how
   // many of owned blocks' did.
-  int (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&, int owned_blocks);
+  int (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&,
+               int owned_blocks);
   // v += dt * (bonds + weight and lift); u += dt v.
   void (*drift)(const DriftRow<Real>&, const DriftSettings&);
   LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]

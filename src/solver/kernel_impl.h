@@ -178,8 +178,8 @@ inline typename Simd<Real>::V fit_argument(typename Simd<Real>::V e, const BondL
 // theta of the bonds of a block that is not calm. A `whole` one (intact) has all its bonds and does not look
 // at the bits; where a bond leaves the range of the short fits or wants to break, the block becomes touched,
 // and the bond breaks in the next step if it still wants to. Of ice that breaks by
-// stress, which is touched long before it breaks, a touched block whose bonds are all there and have slackened
-// becomes intact; not near the ends of the sheet, where it has fewer bonds to be told by.
+// stress, which is touched long before it breaks, a touched block whose bonds are all there and have
+// slackened becomes intact; not near the ends of the sheet, where it has fewer bonds to be told by.
 template <class Real, bool whole, bool per_lane>
 int block_theta(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
                 const Real* constants) {
@@ -284,7 +284,7 @@ int dilatation(const RowFields<Real>* rows, const RowTables<Real>* tables, int n
 
 template <class Real, bool whole, bool per_lane, bool by_stress>
 int block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
-                 const Real* constants) {
+                const Real* constants) {
   using S = Simd<Real>;
   using V = typename S::V;
   constexpr int n = (whole ? LawDegrees<Real>::small : LawDegrees<Real>::wide) + 1;
@@ -316,8 +316,10 @@ int block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
           S::template constant<per_lane>(slot, pressure_weight) * (own_theta + S::load(theta + o));
       V scale = pressure * R(e) + S::template constant<per_lane>(slot, distortion_weight) * (bd.e * H(e));
       if constexpr (by_stress) {
-        const V stress = law.stress_per_stretch * (bd.e * G(e)) + law.stress_per_theta * (own_theta + S::load(theta + o));
-        const typename S::Mask breaks = S::expand(alive, bits) & (stress > strength + S::load(f.extra_strength + x + o));
+        const V stress =
+            law.stress_per_stretch * (bd.e * G(e)) + law.stress_per_theta * (own_theta + S::load(theta + o));
+        const typename S::Mask breaks =
+            S::expand(alive, bits) & (stress > strength + S::load(f.extra_strength + x + o));
         if (__builtin_expect(S::any(breaks), 0)) {
           const unsigned gone = S::compress(breaks, bits);
           words[s] = static_cast<std::uint16_t>(words[s] & ~(gone << lane0));
@@ -338,7 +340,7 @@ int block_force(const RowFields<Real>& f, const RowTables<Real>& t, const BondLa
 
 template <class Real, bool per_lane>
 int force_by_state(const RowFields<Real>& f, const RowTables<Real>& t, const BondLaw<Real>& law, int b,
-                    const Real* constants) {
+                   const Real* constants) {
   if (f.state[b] == touched) {
     return law.stress_per_stretch > 0 ? block_force<Real, false, per_lane, true>(f, t, law, b, constants)
                                       : block_force<Real, false, per_lane, false>(f, t, law, b, constants);

@@ -233,7 +233,7 @@ std::int64_t IceSheet::force(int jl0, int jl1) {
     for (int jl = jl1 - 1; jl >= jl0; --jl) {
       select_column(work, jl);
       const int gone = passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law,
-                                            layout.blocks);
+                                             layout.blocks);
       broken += jl >= 0 ? lattice.copies() * gone : at_symmetry_plane() ? gone : 0;
       // Bonds of lower columns still add to those above; a linear block is stored once they are through.
       linear_pass(work, Pass::force, jl + reach);

@@ -14,13 +14,13 @@ namespace icebow {
 
 // Constants of the ordinary state-based material on this lattice.
 struct Material {
-  double kappa = 0.0;  //!< bulk modulus [Pa]
-  double mu = 0.0;     //!< shear modulus [Pa]
-  double delta = 0.0;  //!< horizon [m]
-  double a = 0.0;      //!< [Pa]
-  double b = 0.0;      //!< [Pa/m^5]
-  double d = 0.0;      //!< [1/m^4]
-  double s0 = 0.0;     // critical stretch; of ice with a tensile strength that strength over E
+  double kappa = 0.0;             //!< bulk modulus [Pa]
+  double mu = 0.0;                //!< shear modulus [Pa]
+  double delta = 0.0;             //!< horizon [m]
+  double a = 0.0;                 //!< [Pa]
+  double b = 0.0;                 //!< [Pa/m^5]
+  double d = 0.0;                 //!< [1/m^4]
+  double s0 = 0.0;                // critical stretch; of ice with a tensile strength that strength over E
   double tensile_strength = 0.0;  //!< [Pa]; 0 = bonds break at s0
 
   // Normal stress on the plane across a bond, eq. (32): stretch and the mean of both ends' dilatations.

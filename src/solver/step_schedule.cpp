@@ -9,8 +9,8 @@ namespace icebow {
 StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer& timer)
     : sheet_(sheet),
       timer_(timer),
-      displacements_(comm, sheet.partition, sheet.layout, {&sheet.u[0], &sheet.u[1], &sheet.u[2], &sheet.extra_strength},
-                     ghost_blocks, 0),
+      displacements_(comm, sheet.partition, sheet.layout,
+                     {&sheet.u[0], &sheet.u[1], &sheet.u[2], &sheet.extra_strength}, ghost_blocks, 0),
       dilatations_(comm, sheet.partition, sheet.layout, {&sheet.theta}, ghost_blocks, 1) {}
 
 std::int64_t StepSchedule::run(const Move& move) {

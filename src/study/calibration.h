@@ -1,9 +1,9 @@
 // Ice given by what an ice tank measures: the modulus and the tensile strength with which the virtual tests
 // of solver/virtual_tests.h return the elastic modulus and the flexural strength asked for.
 //
-// The tests are linear between one broken bond and the next, so what they measure is E or the tensile strength
-// times a number of the lattice alone (docs/theory.md, "Ice by its tests"). The numbers are stored under the SHA-256 of all
-// they depend on and serve every ice and every design on that lattice.
+// The tests are linear between one broken bond and the next, so what they measure is E or the tensile
+// strength times a number of the lattice alone (docs/theory.md, "Ice by its tests"). The numbers are stored
+// under the SHA-256 of all they depend on and serve every ice and every design on that lattice.
 #pragma once
 
 #include <string>
@@ -39,8 +39,8 @@ LatticeNumbers lattice_numbers(const Scenario& scenario, const std::string& dire
 void test_lattices(const StudyPlan& plan);
 
 // The ice with the modulus and tensile strength that measure as `ice.E` and `flexural_strength` [Pa]. Throws
-// InputError where it would break at a strain that the solver does not take, or fail within before its surface
-// is crushed.
+// InputError where it would break at a strain that the solver does not take, or fail within before its
+// surface is crushed.
 IceMaterial calibrated_ice(const IceMaterial& ice, double flexural_strength, const LatticeNumbers& numbers);
 
 // What is simulated for a case: model scale, calibrated ice with what was found. Collective; the root alone

@@ -13,7 +13,7 @@ namespace {
 
 const char* const file = "studies/convergence/bias.json";
 const char* const ice_models[] = {"paper", "calibrated"};
-const char* const contacts[] = {"relocation", "paper", "penalty"};
+const char* const contacts[] = {"relocation", "paper", "penalty", "crushing"};  // as ContactRule
 
 template <std::size_t n>
 int index_of(const char* const (&words)[n], const Json& entry, const char* key, const std::string& at) {

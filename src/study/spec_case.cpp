@@ -96,7 +96,8 @@ BowParameters read_bow(Section& s) {
 // Weeks 2010), model ice less.
 constexpr double usual_compressive = 3.0;
 
-// Bonds break at a stretch, given by it or by the toughness; or by stress, calibrated to the flexural strength.
+// Bonds break at a stretch, given by it or by the toughness; or by stress, calibrated to the flexural
+// strength.
 void read_fracture(Section& s, Case& c) {
   if (s.text("model", "paper") != "calibrated") {
     c.ice.s0 = given_or(s, "critical_stretch", 0.0);
@@ -105,9 +106,10 @@ void read_fracture(Section& s, Case& c) {
   }
   c.ice_model = IceModel::calibrated;
   for (const char* given : {"fracture_toughness", "critical_stretch"}) {
-    s.refuse(given,
-             "cannot be given where \"model\" is \"calibrated\": bonds then break by their stress, found from the "
-             "flexural strength, and the toughness follows. Drop it, or choose \"model\": \"paper\"");
+    s.refuse(
+        given,
+        "cannot be given where \"model\" is \"calibrated\": bonds then break by their stress, found from the "
+        "flexural strength, and the toughness follows. Drop it, or choose \"model\": \"paper\"");
   }
 }
 
@@ -140,7 +142,8 @@ void read_contact(const Section& solver, Section& ice, Case& c) {
   c.numerics.contact = contact_rule(solver.text("contact", calibrated ? "crushing" : "relocation"));
   if (c.numerics.contact != ContactRule::crushing) return;
   if (!calibrated)
-    ice.require("compressive_strength", "is missing: the contact rule \"crushing\" needs it (/solver/contact)");
+    ice.require("compressive_strength",
+                "is missing: the contact rule \"crushing\" needs it (/solver/contact)");
   c.ice.crushing_pressure = c.compressive_strength;
 }
 

@@ -99,14 +99,15 @@ TEST_CASE("ice that would split before its surface is crushed is refused, saying
   IceMaterial ice = model_scenario(calibrated_case()).ice;
   const LatticeNumbers numbers = {0.7, 1.1, 12.0};
   ice.crushing_pressure = 11.0 * 35e3;
-  CHECK_THROWS_WITH(calibrated_ice(ice, 35e3, numbers), Catch::Contains("/ice/compressive_strength") &&
-                                                            Catch::Contains("381818") &&
-                                                            Catch::Contains("lower the compressive strength"));
+  CHECK_THROWS_WITH(calibrated_ice(ice, 35e3, numbers),
+                    Catch::Contains("/ice/compressive_strength") && Catch::Contains("381818") &&
+                        Catch::Contains("lower the compressive strength"));
   ice.crushing_pressure = 10.0 * 35e3;
   CHECK(calibrated_ice(ice, 35e3, numbers).tensile_strength == Approx(35e3 / 1.1));
 }
 
-TEST_CASE("calibrated ice is crushed at its compressive strength, three times the flexural one if not given") {
+TEST_CASE(
+    "calibrated ice is crushed at its compressive strength, three times the flexural one if not given") {
   CHECK(calibrated_case().numerics.contact == ContactRule::crushing);
   CHECK(model_scenario(calibrated_case()).ice.crushing_pressure == Approx(3 * 35e3));
   const Case relocated = calibrated_case(R"({"layers": 2, "contact": "relocation"})");

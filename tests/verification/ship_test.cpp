@@ -205,7 +205,8 @@ TEST_CASE("the momentum of breaking ice is what hull, held edges, weight and lif
 
 namespace {
 
-// Mean force of a wall that cuts into a sheet too strong to break, over the crushing pressure on the area cut.
+// Mean force of a wall that cuts into a sheet too strong to break, over the crushing pressure on the area
+// cut.
 double crushing_force_over_theory(double slope) {
   constexpr int columns = 8;  // of particles, across the wall
   Scenario s = block_scenario(48, 28, 3);
@@ -216,7 +217,8 @@ double crushing_force_over_theory(double slope) {
   s.numerics.contact = ContactRule::crushing;
   const Lattice lattice = make_lattice(s);
   const QuadMesh wall = sloping_box(slope, columns * lattice.dx, 0.2, 0.2, 0.5);
-  Stepper stepper(Communicator::serial(), wall, s, lattice, 0.8 * stable_step(s), first_touch_x(wall, lattice));
+  Stepper stepper(Communicator::serial(), wall, s, lattice, 0.8 * stable_step(s),
+                  first_touch_x(wall, lattice));
   const double begin = s.ice.h / std::tan(slope) + 1.5 * lattice.dx, end = begin + 6.0 * lattice.dx;
   double before = 0.0;
   while (s.V * stepper.time() < end) {
