@@ -17,7 +17,7 @@ namespace {
 
 class HullBuilder {
  public:
-  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel, bool by_length);
+  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel);
   QuadMesh build();
 
  private:
@@ -46,8 +46,8 @@ class HullBuilder {
   QuadMesh mesh_;
 };
 
-HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel, bool by_length)
-    : bow_(bow), grid_(grid), L_(L), panel_(panel), thinning_(bow, grid, panel, by_length) {
+HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel)
+    : bow_(bow), grid_(grid), L_(L), panel_(panel), thinning_(bow, grid, panel) {
   for (int j = -ny(); j < ny(); ++j) ring_.push_back({j, 0});
   for (int i = 0; i < nz(); ++i) ring_.push_back({ny(), i});
   for (int j = ny(); j > -ny(); --j) ring_.push_back({j, nz()});
@@ -193,9 +193,8 @@ double panel_size(const BowParameters& bow) {
 QuadMesh bow_mesh(const BowParameters& bow) {
   const BowSurface surface = bow_surface(bow);
   const double panel = panel_size(bow);
-  const bool well_shaped = family_form(bow.family).graded_by_curvature;
-  const BowGrid grid = bow_grid(surface, panel, well_shaped);
-  return HullBuilder(surface, grid, bow.L, panel, well_shaped).build();
+  const BowGrid grid = bow_grid(surface, panel, family_form(bow.family).graded_by_curvature);
+  return HullBuilder(surface, grid, bow.L, panel).build();
 }
 
 }  // namespace icebow

@@ -6,7 +6,6 @@ namespace icebow {
 namespace {
 
 constexpr double coarsest_aft = 8.0;     // times the panel size, towards the transom
-constexpr int coarsest_level = 3;        // halved at most this often
 constexpr double longest_chord = 0.5;    // of the bilge radius, so that the bilge stays round
 constexpr double shortest_chord = 0.25;  // what is left of joining up to that
 constexpr double lowest_row =
@@ -17,25 +16,16 @@ constexpr double overlong = 1.5;     // up to this times the wanted length
 
 }  // namespace
 
-RingThinning::RingThinning(const BowSurface& bow, const BowGrid& grid, double panel, bool by_length)
-    : panel_(panel),
-      bilge_(bow.bilge),
-      by_length_(by_length),
-      columns_(grid.eta.size(), 1),
-      rows_(grid.z.size(), 1) {
+RingThinning::RingThinning(const BowSurface& bow, const BowGrid& grid, double panel)
+    : panel_(panel), bilge_(bow.bilge), columns_(grid.eta.size(), 1), rows_(grid.z.size(), 1) {
   while (grid.z[static_cast<std::size_t>(bilge_rows_)] < bow.bilge - bow.T) ++bilge_rows_;
 }
 
 double RingThinning::longest_cell() const {
-  const double longest = coarsest_aft * panel_;
-  return by_length_ ? std::min(longest, slenderest * shortest_chord * bilge_) : longest;
+  return std::min(coarsest_aft * panel_, slenderest * shortest_chord * bilge_);
 }
 
 void RingThinning::advance(double cell, const std::function<Vec3(GridNode)>& place) {
-  if (!by_length_) {
-    if (level_ < coarsest_level && cell > panel_ * (2 << level_)) halve();
-    return;
-  }
   const int side = static_cast<int>(columns_.size()) - 1, deck = static_cast<int>(rows_.size()) - 1;
   const auto distance = [&](GridNode a, GridNode b) { return (place(a) - place(b)).norm(); };
   join(
@@ -51,16 +41,6 @@ void RingThinning::advance(double cell, const std::function<Vec3(GridNode)>& pla
         return std::max(distance({a, 0}, {b, 0}), distance({a, deck}, {b, deck}));
       },
       [&](int) { return widest; });
-}
-
-void RingThinning::halve() {
-  ++level_;
-  const int side = static_cast<int>(columns_.size()) - 1, deck = static_cast<int>(rows_.size()) - 1;
-  for (int j = 0; j < side; ++j) columns_[static_cast<std::size_t>(j)] = j % (1 << level_) == 0;
-  for (int i = 1; i < deck; ++i) {
-    const int level = i < bilge_rows_ ? std::min(level_, 1) : level_;  // so that the bilge stays round
-    rows_[static_cast<std::size_t>(i)] = i == bilge_rows_ || i % (1 << level) == 0;
-  }
 }
 
 // First, last and `fixed` stay.

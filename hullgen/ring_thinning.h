@@ -17,9 +17,8 @@ struct GridNode {
 
 class RingThinning {
  public:
-  // by_length: neighbours are joined by the length of the panels they make, so that those stay well shaped;
-  // otherwise every other one goes whenever panels have become twice as long.
-  RingThinning(const BowSurface& bow, const BowGrid& grid, double panel, bool by_length);
+  // Neighbours are joined by the length of the panels they make, so that those stay well shaped.
+  RingThinning(const BowSurface& bow, const BowGrid& grid, double panel);
 
   double longest_cell() const;  //!< that panels may have from station to station [m]
   // On to a station that lies `cell` [m] behind the one before, where the ring's nodes stand at `place`. No
@@ -33,13 +32,10 @@ class RingThinning {
   using Length = std::function<double(int a, int b)>;
   using Limit = std::function<double(int)>;
 
-  void halve();
   static void join(std::vector<char>& kept, int fixed, const Length& length, const Limit& longest);
 
   double panel_, bilge_;
-  bool by_length_;
   int bilge_rows_ = 0;  // rows up to here take part in the rounding of the bilge
-  int level_ = 0;       // of halving
   std::vector<char> columns_, rows_;
 };
 

@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <type_traits>
 
-#include "hullgen/family.h"
 #include "study/calibration.h"
 #include "study/case_hull.h"
 #include "study/evaluate.h"
@@ -13,8 +12,6 @@ namespace {
 
 // Raise it when the same case would give another result: a changed model, a corrected error.
 constexpr int result_version = 4;
-// The same for the meshes of the families whose panels are well shaped; the published bows' never change.
-constexpr int well_shaped_mesh_version = 2;
 
 // A field added to a case but not to its key would hand out results of another case: the sizes notice. Left
 // out on purpose: numerics.ranks_along_x, because results do not depend on the ranks, bow.angles_at,
@@ -141,7 +138,6 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   text.add("stop_when_ci95_below", c.stop_when_ci95_below);
   text.add("snapshots", c.snapshots);
   text.add("pictures", c.pictures);
-  if (family_form(c.bow.family).graded_by_curvature) text.add("hull.mesh_version", well_shaped_mesh_version);
   // As a stored result has it that is older than the choice.
   if (c.ice_model == IceModel::calibrated) text.add("virtual_tests.version", virtual_tests_version);
   if (c.seed != 0) text.add("seed", static_cast<double>(c.seed));
