@@ -21,7 +21,7 @@ struct ContactSettings {
   double crushing_depth = 0.0;     //!< at which it is crushed [m], likewise
 };
 
-// What contact does to one particle, eq. (17)-(19) and (33) of docs/theory.md.
+// What contact does to one particle, eq. (17)-(19) and (40) of docs/theory.md.
 struct ContactResponse {
   Vec3 push = Vec3::Zero();     // displacement added [m]
   Vec3 delta_v = Vec3::Zero();  // velocity added [m/s]

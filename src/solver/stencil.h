@@ -23,7 +23,7 @@ struct Material {
   double s0 = 0.0;                // critical stretch; of ice with a tensile strength that strength over E
   double tensile_strength = 0.0;  //!< [Pa]; 0 = bonds break at s0
 
-  // Normal stress on the plane across a bond, eq. (32): stretch and the mean of both ends' dilatations.
+  // Normal stress on the plane across a bond, eq. (39): stretch and the mean of both ends' dilatations.
   double normal_stress(double stretch, double theta) const {
     return 2.0 * mu * stretch + (kappa - 2.0 / 3.0 * mu) * theta;
   }
