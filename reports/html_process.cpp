@@ -102,14 +102,19 @@ std::string ice_table(const Json& process) {
 
 std::string energy_table(const Json& process) {
   std::string rows;
-  const std::pair<const char*, const char*> parts[] = {
-      {"contact_loss", "Friction and impact"}, {"fracture", "Fracture"},
-      {"kinetic", "Motion of the ice"},        {"elastic", "Elastic"},
-      {"potential", "Weight and lift"},        {"left_astern", "Left astern"},
-      {"unexplained", "Error of the balance"}};
+  const std::pair<const char*, const char*> parts[] = {{"contact_loss", "Friction and impact"},
+                                                       {"fracture", "Fracture"},
+                                                       {"water", "Motion of the water"},
+                                                       {"floe_contact", "Ice against ice"},
+                                                       {"absorbed", "Damped edges"},
+                                                       {"kinetic", "Motion of the ice"},
+                                                       {"elastic", "Elastic"},
+                                                       {"potential", "Weight and lift"},
+                                                       {"left_astern", "Left astern"},
+                                                       {"unexplained", "Error of the balance"}};
   for (const auto& [key, label] : parts) {
     const double share = number_at(process, std::string("/energy/") + key);
-    if (std::isfinite(share)) rows += row(label, {percent(share)});
+    if (std::isfinite(share) && share != 0.0) rows += row(label, {percent(share)});
   }
   return rows.empty() ? rows : table("Where the hull's work went", {"share"}, rows);
 }

@@ -37,9 +37,13 @@ EnergyShares energy_shares(const History& history) {
   shares.kinetic = row.kinetic_energy / work;
   shares.potential = row.potential / work;
   shares.contact_loss = row.contact_loss / work;
+  shares.water = row.water_loss / work;
+  shares.floe_contact = row.floe_loss / work;
+  shares.absorbed = row.edge_loss / work;
   shares.unexplained = row.balance_error / work;
   shares.left_astern = 1.0 + shares.unexplained - shares.contact_loss - shares.fracture - shares.elastic -
-                       shares.kinetic - shares.potential;
+                       shares.kinetic - shares.potential - shares.water - shares.floe_contact -
+                       shares.absorbed;
   return shares;
 }
 

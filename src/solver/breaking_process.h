@@ -88,8 +88,12 @@ struct EnergyShares {
   double kinetic = std::numeric_limits<double>::quiet_NaN();
   double potential = std::numeric_limits<double>::quiet_NaN();     // weight and lift
   double contact_loss = std::numeric_limits<double>::quiet_NaN();  // friction, inelastic impact, relocation
-  double left_astern = std::numeric_limits<double>::quiet_NaN();   // with the ice a moving window dropped
-  double unexplained = std::numeric_limits<double>::quiet_NaN();   // error of the balance
+  // To the water that the ice moves, the ice that it meets, the damped edges.
+  double water = std::numeric_limits<double>::quiet_NaN();
+  double floe_contact = std::numeric_limits<double>::quiet_NaN();
+  double absorbed = std::numeric_limits<double>::quiet_NaN();
+  double left_astern = std::numeric_limits<double>::quiet_NaN();  // with the ice a moving window dropped
+  double unexplained = std::numeric_limits<double>::quiet_NaN();  // error of the balance
 };
 EnergyShares energy_shares(const History& history);
 

@@ -9,8 +9,8 @@ namespace {
 
 // A field added to a scenario but not to its text would let a run continue another one: the sizes notice.
 static_assert(sizeof(void*) != 8 ||
-                  (sizeof(IceMaterial) == 64 && sizeof(Water) == 16 && sizeof(Sheet) == 40 &&
-                   sizeof(Numerics) == 64 && sizeof(Scenario) == 64 + 16 + 40 + 64 + 32),
+                  (sizeof(IceMaterial) == 64 && sizeof(Water) == 32 && sizeof(Sheet) == 48 &&
+                   sizeof(Numerics) == 72 && sizeof(Scenario) == 64 + 32 + 48 + 72 + 32),
               "add the new field to case_text() below, then correct the size");
 
 // FNV-1a, 64 bits.
@@ -92,6 +92,10 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   // The last, and as a checkpoint has it that is older than the choices.
   if (s.sheet.half_model) text.add("sheet.half_model", true);
   if (options.seed != 0) text.add("seed", options.seed);
+  if (s.water.added_mass > 0.0) text.add("water.added_mass", s.water.added_mass);
+  if (s.water.drag > 0.0) text.add("water.drag", s.water.drag);
+  if (s.sheet.absorbing > 0.0) text.add("sheet.absorbing", s.sheet.absorbing);
+  if (s.numerics.floe_contact) text.add("numerics.floe_contact", true);
   return text.str();
 }
 

@@ -17,16 +17,16 @@
 namespace icebow {
 namespace {
 
-constexpr int format_version = 2;
-constexpr std::size_t row_values = 15, row_counts = 2;  // doubles and integers of a HistoryRow
+constexpr int format_version = 3;
+constexpr std::size_t row_values = 18, row_counts = 2;  // doubles and integers of a HistoryRow
 
 void save_history(ParallelFile& file, const std::vector<HistoryRow>& rows) {
   std::vector<double> values;
   std::vector<std::int64_t> counts;
   for (const HistoryRow& r : rows) {
-    values.insert(values.end(),
-                  {r.t, r.advance, r.F[0], r.F[1], r.F[2], r.M[0], r.M[1], r.M[2], r.kinetic_energy,
-                   r.potential, r.hull_work, r.contact_loss, r.elastic, r.fracture, r.balance_error});
+    values.insert(values.end(), {r.t, r.advance, r.F[0], r.F[1], r.F[2], r.M[0], r.M[1], r.M[2],
+                                 r.kinetic_energy, r.potential, r.hull_work, r.contact_loss, r.elastic,
+                                 r.fracture, r.balance_error, r.water_loss, r.floe_loss, r.edge_loss});
     counts.insert(counts.end(), {r.broken_bonds, r.contacts});
   }
   file.write_list("history", values);
@@ -54,6 +54,9 @@ std::vector<HistoryRow> load_history(ParallelFile& file) {
     r.elastic = v[12];
     r.fracture = v[13];
     r.balance_error = v[14];
+    r.water_loss = v[15];
+    r.floe_loss = v[16];
+    r.edge_loss = v[17];
     r.broken_bonds = counts[n * row_counts];
     r.contacts = counts[n * row_counts + 1];
   }
@@ -66,10 +69,12 @@ Json run_json(const Communicator& comm, const RunState& run) {
   ExactImpulse::Counts impulse = stepper.impulse().counts();
   const ContactCounts contact = stepper.ledger().counts();
   const EnergyCounts& dropped = stepper.dropped();
-  std::int64_t totals[7] = {stepper.broken_bonds(), contact.hull_work, contact.gain,    dropped.kinetic,
-                            dropped.potential,      dropped.elastic,   dropped.fracture};
+  const SurroundingsCounts& given = stepper.given_away();
+  std::int64_t totals[10] = {
+      stepper.broken_bonds(), contact.hull_work, contact.gain, dropped.kinetic, dropped.potential,
+      dropped.elastic,        dropped.fracture,  given.water,  given.floes,     given.edges};
   comm.sum(impulse.data(), static_cast<int>(impulse.size()));
-  comm.sum(totals, 7);
+  comm.sum(totals, 10);
   return {{"format", format_version},
           {"precision_bytes", precision_of(stepper.sheet())},
           {"steps", stepper.steps()},
@@ -77,6 +82,7 @@ Json run_json(const Communicator& comm, const RunState& run) {
           {"contact_energy", {totals[1], totals[2]}},
           {"window_first", stepper.sheet().lattice.first},
           {"window_dropped", {totals[3], totals[4], totals[5], totals[6]}},
+          {"given_away", {totals[7], totals[8], totals[9]}},
           {"energy_watch", run.recorder.energy_watch().record()},
           {"impulse", impulse},
           {"wall_seconds", run.wall_seconds},
@@ -158,12 +164,13 @@ void load_checkpoint(const Communicator& comm, const std::string& path, RunState
     const std::vector<HistoryRow> rows = load_history(file);
     load_sheet(file, run.stepper.sheet());
     run.stepper.sheet().start_at(json.at("window_first"));
-    const Json& dropped = json.at("window_dropped");
+    const Json &dropped = json.at("window_dropped"), &given = json.at("given_away");
     const bool root = comm.is_root();
     run.stepper.restore(
         json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
         root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
-        root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{});
+        root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{},
+        root ? SurroundingsCounts{given.at(0), given.at(1), given.at(2)} : SurroundingsCounts{});
     const Json& contact = json.at("contact_energy");
     run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
                                  file.read_list<double>("touches"), run.stepper.sheet());

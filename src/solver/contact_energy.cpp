@@ -15,9 +15,22 @@ void ContactLedger::struck(std::size_t p, double z, const Vec3& v_before, const 
   now_.push_back({p, z, delta_v, push, Vec3::Zero(), true});
 }
 
-void ContactLedger::close_step(const IceSheet& sheet) {
-  // Columns move in any order.
+// Columns move in any order.
+void ContactLedger::sort() {
   std::sort(now_.begin(), now_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
+}
+
+std::vector<HullStrike> ContactLedger::strikes() {
+  sort();
+  std::vector<HullStrike> all;
+  for (const Touch& touch : now_) {
+    if (touch.struck) all.push_back({touch.p, touch.delta_v});
+  }
+  return all;
+}
+
+void ContactLedger::close_step(const IceSheet& sheet) {
+  sort();
   auto before = before_.begin();
   for (Touch& now : now_) {
     for (int c = 0; c < 3; ++c) now.acceleration[c] = sheet.acceleration[c][now.p];

@@ -14,6 +14,12 @@ struct ContactCounts {
   std::int64_t gain = 0;  // of the ice: the rest is lost to friction, inelastic impact and moving particles
 };
 
+// What the hull did to the velocity of a particle, by its place in the fields.
+struct HullStrike {
+  std::size_t p;
+  Vec3 delta_v;  //!< [m/s]
+};
+
 // The strikes of one step wait for the accelerations after it. The work of a relocation also needs the
 // acceleration before it, which the drift uses up: so it is kept for all particles next to the surface.
 class ContactLedger {
@@ -23,6 +29,8 @@ class ContactLedger {
   // A particle (its place p in the fields, the reference height z of its row) near the hull but outside.
   void passed(std::size_t p, double z);
   void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
+  // Of the step that is not closed yet, by place: the same in whatever order columns have moved.
+  std::vector<HullStrike> strikes();
   // When forces are known: the step's strikes are accounted for.
   void close_step(const IceSheet& sheet);
 
@@ -46,6 +54,7 @@ class ContactLedger {
     Vec3 delta_v, push, acceleration;
     bool struck;
   };
+  void sort();
   void account(const Touch& now, const Vec3& acceleration_before);
 
   EnergyModel model_;

@@ -42,21 +42,27 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
   const EnergyCounts ice = with_bonds ? sheet_energy(sheet, model_) : motion_energy(sheet, model_);
   const EnergyCounts& dropped = stepper.dropped();
   const ContactCounts& contact = stepper.ledger().counts();
-  std::int64_t counts[10] = {ice.kinetic,       ice.potential,     ice.elastic,     ice.fracture,
+  const SurroundingsCounts& given = stepper.given_away();
+  std::int64_t counts[13] = {ice.kinetic,       ice.potential,     ice.elastic,     ice.fracture,
                              dropped.kinetic,   dropped.potential, dropped.elastic, dropped.fracture,
-                             contact.hull_work, contact.gain};
-  comm_.sum(counts, 10);
+                             contact.hull_work, contact.gain,      given.water,     given.floes,
+                             given.edges};
+  comm_.sum(counts, 13);
   const Energies e = joules(counts), gone = joules(counts + 4);
   row.hull_work = counts[8] * copies_ * model_.quantum;
   row.contact_loss = (counts[8] - counts[9]) * copies_ * model_.quantum;
-  // What a moving window has dropped counts as still there.
-  dropped_ = gone.kinetic + gone.potential + gone.elastic;
+  const double joule = copies_ * model_.quantum;
+  row.water_loss = counts[10] * joule;
+  row.floe_loss = counts[11] * joule;
+  row.edge_loss = counts[12] * joule;
+  // What a moving window has dropped counts as still there, and so does what the surroundings have taken.
+  gone_ = gone.kinetic + gone.potential + gone.elastic + row.water_loss + row.floe_loss + row.edge_loss;
   row.kinetic_energy = e.kinetic;
   row.potential = e.potential;
   if (with_bonds) {
     row.elastic = e.elastic;
     row.fracture = fracture_ = e.fracture + gone.fracture - fracture_at_start_;
-    row.balance_error = e.kinetic + e.potential + e.elastic + row.fracture + dropped_ - start_ - gain(row);
+    row.balance_error = e.kinetic + e.potential + e.elastic + row.fracture + gone_ - start_ - gain(row);
   }
   judge(row);
 }
@@ -64,7 +70,7 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
 // Between evaluations the elastic energy is unknown but not negative, and fracture energy only grows: what is
 // left is a lower bound of the balance.
 void EnergyWatch::judge(const HistoryRow& row) {
-  const double bound = row.kinetic_energy + row.potential + fracture_ + dropped_ - start_ - gain(row);
+  const double bound = row.kinetic_energy + row.potential + fracture_ + gone_ - start_ - gain(row);
   const double balance = std::isnan(row.balance_error) ? bound : row.balance_error;
   const double allowed = tolerated * (std::abs(row.hull_work) + std::abs(start_)) + floor_;
   surplus_ = balance - lowest_ > allowed ? balance - lowest_ : 0.0;

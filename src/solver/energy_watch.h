@@ -47,8 +47,8 @@ class EnergyWatch {
   int copies_;  // of the energy of a half model's port half
   std::int64_t samples_per_evaluation_, samples_ = 0;
   double start_, fracture_at_start_, fracture_ = 0.0;  //!< [J]
-  double dropped_ = 0.0;                               // by a moving window [J]
-  double lowest_ = 0.0, floor_, surplus_ = 0.0;        //!< [J]
+  double gone_ = 0.0;  // with what a moving window dropped, and to the surroundings [J]
+  double lowest_ = 0.0, floor_, surplus_ = 0.0;  //!< [J]
 };
 
 }  // namespace icebow

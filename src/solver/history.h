@@ -23,10 +23,14 @@ struct HistoryRow {
   double potential = 0.0;     // weight and lift
   double hull_work = 0.0;     // of the hull on the ice
   double contact_loss = 0.0;  // of it: friction, inelastic impact, moving particles to the surface
+  // That the ice has given to the water that it moves, to the ice that it meets (both may give some back),
+  // and to the damped edges.
+  double water_loss = 0.0, floe_loss = 0.0, edge_loss = 0.0;
   // Evaluated every few hundred steps, NaN between.
   double elastic = std::numeric_limits<double>::quiet_NaN();
   double fracture = std::numeric_limits<double>::quiet_NaN();  // of broken bonds
-  // What the ice has beyond what it was given: kinetic + potential + elastic + fracture - gain.
+  // What the ice has beyond what it was given: kinetic + potential + elastic + fracture
+  // + the three losses - gain.
   double balance_error = std::numeric_limits<double>::quiet_NaN();
 };
 

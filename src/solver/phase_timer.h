@@ -14,6 +14,7 @@ enum class Phase {
   dilatation,
   halo_theta,
   force,
+  surroundings,  // water, other ice, damped edges
   sampling,
   energy,
   output,  // pictures and snapshots

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/units.h"
 #include "solver/runaway.h"
+#include "solver/sampling.h"
 
 namespace icebow {
 namespace {
-
-std::int64_t samples_interval(const Scenario& s, double dt) {
-  return std::max<std::int64_t>(1, std::llround(sampling_interval(s.ice.h) / dt));
-}
 
 // The other half's impulse is the mirror image in the plane y = 0: of a vector its y changes sign, of a
 // moment x and z.
@@ -23,15 +19,11 @@ void complete_symmetric(std::int64_t (&impulse_and_moment)[8]) {
 
 }  // namespace
 
-double sampling_interval(double h) {
-  return 0.08 * std::sqrt(h / gravity);
-}
-
 Recorder::Recorder(const Communicator& comm, const Stepper& stepper, const Scenario& s, double dt_limit)
     : comm_(comm),
       V_(s.V),
       dt_limit_(dt_limit),
-      steps_per_sample_(samples_interval(s, stepper.dt())),
+      steps_per_sample_(icebow::steps_per_sample(s.ice.h, stepper.dt())),
       watch_(comm, stepper, s, steps_per_sample_) {
   const Material& m = stepper.material();
   fastest_allowed_ = std::sqrt((m.kappa + 4.0 * m.mu / 3.0) / s.ice.rho);  // P wave

@@ -42,7 +42,4 @@ class Recorder {
   History history_;
 };
 
-// Seconds between samples: 1/12.5 of sqrt(h/g), the time scale of a floating sheet; 5 ms for a 40 mm sheet.
-double sampling_interval(double h);
-
 }  // namespace icebow

@@ -21,6 +21,10 @@ struct IceMaterial {
 struct Water {
   double rho = 1000.0;               //!< density [kg/m^3]
   bool buoyancy_and_gravity = true;  // false: as in the paper, an ice sheet held by its fixed edges alone
+  // Of ice that accelerates across its plane: so deep a layer of water goes with each of its columns; 0 =
+  // none [m]
+  double added_mass = 0.0;
+  double drag = 0.0;  // coefficient of a plate's drag across its plane, in deep water; 0 = none
 };
 
 enum class FixedEdges { none, sides, sides_and_far };  // sides = port and starboard; far = ahead of the ship
@@ -29,9 +33,12 @@ struct Sheet {
   double length = 0.0;  //!< along the ship's course [m]
   double width = 0.0;   //!< across it, centred on the ship [m]
   FixedEdges fixed = FixedEdges::sides;
-  // Above 0: `length` is that of a window that moves with the ship. Fresh ice is laid so that this much lies
-  // ahead of the stem, and as much is dropped astern [m]
+  // Above 0: `length` is that of a window that moves with the ship, its far edge held. Fresh ice is laid so
+  // that this much lies ahead of the stem, and as much is dropped astern [m]
   double window_ahead = 0.0;
+  // Above 0: the ice this near to the sheet's side and far edges is damped, so that waves that run out to
+  // them do not come back [m]
+  double absorbing = 0.0;
   // Only the port half is simulated, the starboard half being its mirror image in the plane y = 0.
   bool half_model = false;
 };
@@ -56,8 +63,9 @@ struct Numerics {
   bool surface_correction = true;
   Precision precision = Precision::fp32;
   ContactRule contact = ContactRule::relocation;
-  int ranks_along_x = 0;  // MPI ranks along the ship's course; 0 = the smallest halo decides
-  double friction = 0.0;  //!< hull-ice Coulomb coefficient
+  bool floe_contact = false;  // broken ice pushes back broken ice it meets
+  int ranks_along_x = 0;      // MPI ranks along the ship's course; 0 = the smallest halo decides
+  double friction = 0.0;      //!< hull-ice Coulomb coefficient
 };
 
 struct Scenario {

@@ -68,7 +68,9 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       theta(layout.size, precision, 12),
       extra_strength(layout.size, precision, 13),
       bits(l, layout, stencil),
-      fixed_(s.sheet.fixed),
+      sides_held_(s.sheet.fixed != FixedEdges::none),
+      // What a window lays ahead is at rest: bonds to ice that moves would be torn as they are made.
+      far_end_held_(s.sheet.fixed == FixedEdges::sides_and_far || s.sheet.window_ahead > 0.0),
       work_(make_work(s, material)),
       state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
       near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
@@ -97,7 +99,7 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
       LinearBlocks<Real>(lattice, layout, std::min(s.numerics.linear_below, linear_stretch * material.s0))};
   for (int local = 0; local < layout.blocks * block; ++local) {
     const int i = layout.i0 + local;
-    const bool far_end = fixed_ == FixedEdges::sides_and_far && i >= lattice.nx - held_columns;
+    const bool far_end = far_end_held_ && i >= lattice.nx - held_columns;
     work.reference_x.push_back(static_cast<Real>(lattice.x(i)));
     work.mobile_x.push_back(i < lattice.nx && !far_end ? Real(1) : Real(0));
     work.nothing_mobile.push_back(Real(0));
@@ -106,9 +108,8 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
 }
 
 bool IceSheet::held(int i, int j) const {
-  if (fixed_ == FixedEdges::none) return false;
-  if (fixed_ == FixedEdges::sides_and_far && i >= lattice.nx - held_columns) return true;
-  return (!lattice.half && j < held_columns) || j >= lattice.ny - held_columns;
+  if (far_end_held_ && i >= lattice.nx - held_columns) return true;
+  return sides_held_ && ((!lattice.half && j < held_columns) || j >= lattice.ny - held_columns);
 }
 
 std::size_t IceSheet::bytes() const {

@@ -162,7 +162,7 @@ class IceSheet {
     return kernel.passes<Real>();
   }
 
-  FixedEdges fixed_;
+  bool sides_held_, far_end_held_;
   std::variant<Work<float>, Work<double>> work_;
   std::vector<std::uint8_t> state_;      // ghost rows and blocks included
   std::vector<std::uint8_t> near_hull_;  // own blocks

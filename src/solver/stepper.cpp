@@ -78,6 +78,7 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
       no_impulse_(impulse_),
       ledger_(EnergyModel(s, lattice, material_, dt)),
+      surroundings_(comm, s, material_, ledger_.model()),
       schedule_(comm, sheet_, timer_) {
   drift_.dt = dt;
   drift_.gravity = s.water.buoyancy_and_gravity ? gravity : 0.0;
@@ -101,8 +102,15 @@ void Stepper::step() {
   contacts_ = 0;
   set_hull_box();
   broken_bonds_ += schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
+  const bool surrounded = surroundings_.act();
+  const std::vector<HullStrike> strikes = surrounded ? ledger_.strikes() : std::vector<HullStrike>();
+  // The work of the surroundings is counted by velocities, that of bonds by displacements: the ledger wants
+  // the latter's accelerations alone.
   ledger_.close_step(sheet_);
   timer_.lap(Phase::energy);
+  if (!surrounded) return;
+  surroundings_.apply(sheet_, steps_, strikes);
+  timer_.lap(Phase::surroundings);
 }
 
 // After so many steps the ship is so near the end of the ice that less than asked for lies ahead.
@@ -118,6 +126,7 @@ void Stepper::move_window() {
   // The ice along the cut has lost bonds: its elastic energy is that of what is left.
   broken_bonds_ += schedule_.look_again();
   ledger_.move_window(std::move(touches), sheet_);
+  surroundings_.renumbered(sheet_);
   const EnergyCounts after = sheet_energy(sheet_, ledger_.model());
   dropped_.kinetic += before.kinetic - after.kinetic;
   dropped_.potential += before.potential - after.potential;
@@ -134,8 +143,10 @@ void Stepper::move(int jl0, int jl1) {
 }
 
 void Stepper::restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse,
-                      const EnergyCounts& dropped) {
+                      const EnergyCounts& dropped, const SurroundingsCounts& given_away) {
   dropped_ = dropped;
+  surroundings_.restore(given_away);
+  surroundings_.renumbered(sheet_);
   steps_ = steps;
   broken_bonds_ = broken_bonds;
   impulse_.counts() = impulse;

@@ -11,6 +11,7 @@
 #include "solver/sheet.h"
 #include "solver/stencil.h"
 #include "solver/step_schedule.h"
+#include "solver/surrounding_forces.h"
 
 namespace icebow {
 
@@ -32,9 +33,9 @@ class Stepper {
   IceSheet& sheet() { return sheet_; }
   const Material& material() const { return material_; }
 
-  // To go on where another run was; counts are of this rank.
+  // Collective. To go on where another run was, whose sheet is there already; counts are of this rank.
   void restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse,
-               const EnergyCounts& dropped);
+               const EnergyCounts& dropped, const SurroundingsCounts& given_away);
 
   const ExactImpulse& impulse() const { return impulse_; }
   // Of this rank, since the last take_impulse().
@@ -47,6 +48,8 @@ class Stepper {
   const EnergyCounts& dropped() const { return dropped_; }
   const ContactLedger& ledger() const { return ledger_; }
   ContactLedger& ledger() { return ledger_; }
+  // Energy that the ice gave to the water, to other ice and to the damped edges; this rank's, in quanta.
+  const SurroundingsCounts& given_away() const { return surroundings_.counts(); }
   PhaseTimer& timer() { return timer_; }
 
  private:
@@ -64,6 +67,7 @@ class Stepper {
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
   ContactLedger ledger_;
+  SurroundingForces surroundings_;
   EnergyCounts dropped_;
   PhaseTimer timer_;
   StepSchedule schedule_;

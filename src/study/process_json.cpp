@@ -142,10 +142,17 @@ Json channel_json(const BreakingProcess& p) {
 }
 
 Json energy_json(const EnergyShares& e) {
-  return {{"hull_work_J", number(e.hull_work)},   {"fracture", number(e.fracture)},
-          {"elastic", number(e.elastic)},         {"kinetic", number(e.kinetic)},
-          {"potential", number(e.potential)},     {"contact_loss", number(e.contact_loss)},
-          {"left_astern", number(e.left_astern)}, {"unexplained", number(e.unexplained)}};
+  return {{"hull_work_J", number(e.hull_work)},
+          {"fracture", number(e.fracture)},
+          {"elastic", number(e.elastic)},
+          {"kinetic", number(e.kinetic)},
+          {"potential", number(e.potential)},
+          {"contact_loss", number(e.contact_loss)},
+          {"water", number(e.water)},
+          {"floe_contact", number(e.floe_contact)},
+          {"absorbed", number(e.absorbed)},
+          {"left_astern", number(e.left_astern)},
+          {"unexplained", number(e.unexplained)}};
 }
 
 }  // namespace

@@ -159,6 +159,7 @@ void read_operation_and_sheet(const Section& operation, const Section& sheet, Ca
   c.sheet.width = given_or(sheet, "width", 3.5 * c.bow.B);
   c.sheet.fixed = fixed_edges(sheet.text("fixed_edges", "sides"));
   c.sheet.half_model = sheet.boolean("half_model");
+  c.sheet.absorbing = sheet.number("absorbing");
 }
 
 void read_numerics(const Section& s, double thickness, Numerics& numerics) {
@@ -168,6 +169,7 @@ void read_numerics(const Section& s, double thickness, Numerics& numerics) {
   numerics.dt_fraction = s.number("time_step_fraction");
   numerics.surface_correction = s.boolean("surface_correction");
   numerics.linear_below = s.number("linear_below");
+  numerics.floe_contact = s.boolean("floe_contact");
   numerics.precision = s.text("precision", "fp32") == "fp64" ? Precision::fp64 : Precision::fp32;
 }
 
@@ -252,7 +254,8 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
     c.bow = read_bow(s.bow);
   }
   read_ice(s.ice, c);
-  c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity")};
+  c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity"), s.water.number("added_mass"),
+             s.water.number("drag")};
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
   read_contact(s.solver, s.ice, c);
@@ -286,10 +289,12 @@ Scenario model_scenario(const Case& full) {
   s.ice.K_I = model(full.ice.K_I, scaling::toughness);
   s.ice.crushing_pressure = model(full.ice.crushing_pressure, scaling::stress);
   s.water = full.water;
+  s.water.added_mass = model(full.water.added_mass, scaling::length);
   s.sheet = full.sheet;
   s.sheet.length = model(full.sheet.length, scaling::length);
   s.sheet.width = model(full.sheet.width, scaling::length);
   s.sheet.window_ahead = model(full.sheet.window_ahead, scaling::length);
+  s.sheet.absorbing = model(full.sheet.absorbing, scaling::length);
   s.numerics = full.numerics;
   s.numerics.dx = model(full.numerics.dx, scaling::length);
   s.numerics.dt = model(full.numerics.dt, scaling::time);

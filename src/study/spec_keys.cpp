@@ -69,11 +69,14 @@ const std::vector<Key> table = {
 
   {"water", "density", Quantity::density, 900, 1100, false, 1025, "1025 kg/m3", "density of the water", {}},
   {"water", "buoyancy_and_gravity", Quantity::boolean, 0, 0, false, 1, "true", "the sheet floats; false: it is held by its fixed edges alone, as in the paper", {}},
+  {"water", "added_mass", Quantity::length, 0, 100, false, 0, "0", "depth of the layer of water that goes with ice accelerating across its plane (docs/theory.md); 0 = none", {}},
+  {"water", "drag", Quantity::number, 0, 10, false, 0, "0", "drag coefficient of a plate of ice that moves across its plane under water, 1.2 for a square plate; 0 = none", {}},
 
   {"sheet", "length", Quantity::length, 0.05, 20000, false, none, "advance + bow_length + B", "extent of the sheet along the course", {}},
   {"sheet", "width", Quantity::length, 0.05, 20000, false, none, "3.5 B", "extent of the sheet across the course, centred on the ship", {}},
   {"sheet", "window_ahead", Quantity::length, 0.05, 20000, false, none, "no window", "the sheet is a window of this length that moves with the ship: fresh ice is laid so that this much lies ahead of the stem, the channel is dropped astern", {}},
   {"sheet", "fixed_edges", Quantity::choice, 0, 0, false, none, "sides", "edges held fast: none, port and starboard, or the edge ahead as well", {"none", "sides", "sides_and_far"}},
+  {"sheet", "absorbing", Quantity::length, 0, 20000, false, 0, "0", "the ice is damped within this distance of the side edges and the edge ahead, so that waves that run out to them do not come back; one characteristic length is usual; 0 = not", {}},
   {"sheet", "half_model", Quantity::boolean, 0, 0, false, 0, "false", "simulate the port half and take starboard for its mirror image, for half the work: both sides break at once, no load sways or turns the ship, peaks are higher (docs/theory.md)", {}},
 
   {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
@@ -90,6 +93,7 @@ const std::vector<Key> table = {
   {"solver", "linear_below", Quantity::number, 0, 0.01, false, 1e-3, "0.001", "ice whose displacement gradient is below this follows the linearised bond law, at a fraction of the cost; 0 = nowhere", {}},
   {"solver", "precision", Quantity::choice, 0, 0, false, none, "fp32", "floating point of displacements and velocities; sums over the sheet are exact in both", {"fp32", "fp64"}},
   {"solver", "contact", Quantity::choice, 0, 0, false, none, "relocation; crushing where the ice is calibrated", "contact rule between hull and ice", {"relocation", "paper", "penalty", "crushing"}},
+  {"solver", "floe_contact", Quantity::boolean, 0, 0, false, 0, "false", "pieces of ice push back what they meet; false: they pass through each other", {}},
   {"solver", "seed", Quantity::integer, 0, any, false, 0, "0", "start of the random numbers by which the ice has small velocities of its own when the run begins, so that runs with different seeds break differently; 0 = at rest", {}},
 
   {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},

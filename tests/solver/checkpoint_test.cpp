@@ -233,6 +233,26 @@ TEST_CASE("an interrupted run continues when it is started again, its files too"
   for (const char* step : {"ice_0000", "ice_0001", "ice_0002"}) CHECK(pvd.find(step) != std::string::npos);
 }
 
+TEST_CASE("a run with water, ice against ice and damped edges goes on as if it had not stopped") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  s.water.added_mass = 0.1;
+  s.water.drag = 1.2;
+  s.sheet.absorbing = 0.1;
+  s.numerics.floe_contact = true;
+  REQUIRE(files.interrupted(s, false).status == RunStatus::interrupted);
+  const RunResult second = simulate(world, tiny_hull(), s, files.options);
+  REQUIRE(second.status == RunStatus::ok);
+  const History whole = simulate(world, tiny_hull(), s, {}).history;
+  check_same(second.history, whole);
+  CHECK(second.history.rows.back().water_loss == whole.rows.back().water_loss);
+  CHECK(second.history.rows.back().floe_loss == whole.rows.back().floe_loss);
+  CHECK(second.history.rows.back().edge_loss == whole.rows.back().edge_loss);
+  CHECK(whole.rows.back().water_loss > 0.0);
+  CHECK(whole.rows.back().edge_loss > 0.0);
+}
+
 TEST_CASE("a checkpoint of another run is refused in words, or passed over where that is asked for") {
   const Communicator& world = test_world();
   Files files(world);

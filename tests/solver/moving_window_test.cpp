@@ -120,6 +120,27 @@ TEST_CASE("the energy balance holds across moves of the window") {
   CHECK(error < 0.05 * r.history.rows.back().hull_work);
 }
 
+// A bending sheet's far edge moves by millimetres: ice laid at rest beside it would be torn off as it is
+// laid, and what it was stretched by would throw it about.
+TEST_CASE("what a window lays ahead joins ice that is at rest") {
+  if (test_world().size() > 1) return;
+  Scenario s = tiny_run(0.96, 0.6);
+  s.sheet.window_ahead = 0.5;  // moves at 0.46 m
+  s.numerics.friction = 0.0;
+  const RunResult r = simulate(Communicator::serial(), tiny_hull(), s, {});
+  REQUIRE(r.status == RunStatus::ok);
+  double before = 0.0, after = 0.0;
+  std::int64_t broken_by = 0, broken_after = 0;
+  for (const HistoryRow& row : r.history.rows) {
+    if (row.advance > 0.40 && row.advance <= 0.46) before = std::max(before, row.kinetic_energy);
+    if (row.advance > 0.47 && row.advance <= 0.53) after = std::max(after, row.kinetic_energy);
+    if (row.advance <= 0.46) broken_by = row.broken_bonds;
+    if (row.advance <= 0.47) broken_after = row.broken_bonds;
+  }
+  CHECK(after < 2.0 * before);
+  CHECK(broken_after - broken_by < broken_by / 10);
+}
+
 TEST_CASE("a window that cannot hold the bow is refused") {
   Scenario s = windowed();
   s.sheet.window_ahead = 1.27;

@@ -1,0 +1,56 @@
+// Ice against ice: particles without a bond between them push each other back when they come nearer than a
+// spacing. Equations (45) and (46) of docs/theory.md.
+//
+// Only ice near broken bonds is looked at. Pairs are found every pairs_every steps and at every sample, from
+// displacements and bonds alone, so that a continued run finds the same ones; a bond that breaks in between
+// is a pair from the next time on. Sums go by the particles' numbers: the same on any number of ranks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/communicator.h"
+#include "solver/contact_pairs.h"
+#include "solver/energy.h"
+#include "solver/scenario.h"
+#include "solver/sheet.h"
+
+namespace icebow {
+
+constexpr int pairs_every = 40;  // steps
+
+// What one particle does to another, SI.
+struct FloeContactLaw {
+  double distance = 0.0;   //!< below which they touch [m]
+  double stiffness = 0.0;  //!< [N/m]
+  double damping = 0.0;    //!< [N s/m]
+  double strongest = 0.0;  //!< the ice is crushed at this force [N]
+
+  // Force on the one from which the other lies `away` [m], the other moving at `velocity` relative to it
+  // [m/s].
+  Vec3 force(const Vec3& away, const Vec3& velocity) const;
+};
+FloeContactLaw floe_contact_law(const Scenario& scenario, const Material& material);
+
+class FloeContact {
+ public:
+  FloeContact(const Communicator& comm, const Scenario& scenario, const Material& material,
+              const EnergyModel& model);
+  bool acts() const { return acts_; }
+
+  // Both collective.
+  void find_pairs(const IceSheet& sheet);
+  // Adds to the accelerations of this rank's ice, which must hold the bonds' part; returns the energy taken,
+  // in quanta: what the contacts store and give back included.
+  std::int64_t apply(IceSheet& sheet);
+  std::int64_t pairs() const { return pairs_.count(); }  // this rank's, each from either side
+
+ private:
+  Communicator comm_;
+  bool acts_;
+  FloeContactLaw law_;
+  EnergyModel model_;
+  ContactPairs pairs_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,25 @@
+#include "solver/surrounding_forces.h"
+
+#include "solver/sampling.h"
+
+namespace icebow {
+
+SurroundingForces::SurroundingForces(const Communicator& comm, const Scenario& s, const Material& material,
+                                     const EnergyModel& model)
+    : water_(s, s.numerics.dx, model),
+      floes_(comm, s, material, model),
+      edges_(s, model),
+      steps_per_sample_(steps_per_sample(s.ice.h, model.dt)) {}
+
+void SurroundingForces::apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes) {
+  if (floes_.acts()) {
+    // A run goes on from a sample: both must look for pairs then.
+    if (steps % steps_per_sample_ % pairs_every == 0) floes_.find_pairs(sheet);
+    counts_.floes += floes_.apply(sheet);
+  }
+  if (edges_.acts()) counts_.edges += edges_.apply(sheet);
+  // The last: water goes with whatever accelerates the ice.
+  if (water_.acts()) counts_.water += water_.apply(sheet, strikes);
+}
+
+}  // namespace icebow

@@ -1,0 +1,279 @@
+// Forces on the ice besides its bonds and the hull: water, other ice, damped edges.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "../main.h"
+#include "base/units.h"
+#include "same_process.h"
+#include "solver/ice_block.h"
+#include "solver/simulation.h"
+#include "solver/surrounding_forces.h"
+#include "tiny_hull.h"
+
+using namespace icebow;
+
+namespace {
+
+// A free floe of ten by ten columns, two layers thick.
+Scenario floe_scenario() {
+  Scenario s;
+  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  s.sheet = {0.2, 0.2, FixedEdges::none};
+  s.numerics.dx = 0.02;
+  s.V = 0.4;
+  return s;
+}
+
+// Ice without a ship that moves under its surroundings.
+class Afloat {
+ public:
+  Afloat(const Scenario& s, double dt, const Communicator& comm = Communicator::serial())
+      : ice(s, comm),
+        forces(comm, s, ice.material, EnergyModel(s, ice.lattice, ice.material, dt)),
+        model(s, ice.lattice, ice.material, dt) {
+    drift_.dt = dt;
+    drift_.gravity = model.gravity;
+    drift_.lift = model.lift;
+    drift_.inverse_dx = model.inverse_dx;
+  }
+  void push(const Vec3& velocity) {
+    ice.for_each([&](int, int, int, std::size_t p) {
+      for (int c = 0; c < 3; ++c) ice.sheet.v[c][p] = velocity[c];
+    });
+  }
+  void accelerate() {
+    ice.accelerate();
+    forces.apply(ice.sheet, steps, {});
+  }
+  void step() {
+    ++steps;
+    ice.sheet.drift(drift_);
+    accelerate();
+  }
+  double mean(const Field* field, int c) const {
+    double sum = 0.0;
+    ice.for_each([&](int, int, int, std::size_t p) { sum += field[c][p]; });
+    return sum / double(ice.lattice.particles());
+  }
+
+  IceBlock ice;
+  SurroundingForces forces;
+  EnergyModel model;
+  std::int64_t steps = 0;
+
+ private:
+  DriftSettings drift_{};
+};
+
+constexpr double step_s = 5e-5;
+
+}  // namespace
+
+// (M + m) z'' = -rho_w g A z: the period of the heave, with the water that goes along.
+TEST_CASE("a floe with added mass heaves in its period") {
+  if (test_world().size() > 1) return;
+  Scenario s = floe_scenario();
+  for (const double depth : {0.0, 0.05, 0.2}) {
+    s.water.added_mass = depth;
+    Afloat floe(s, step_s);
+    floe.push({0, 0, 0.002});
+    floe.accelerate();
+    const double inertia = s.ice.rho * s.ice.h + s.water.rho * depth;
+    const double half = M_PI * std::sqrt(inertia / (s.water.rho * gravity));
+    double crossed = 0.0, before = 0.0;
+    while (crossed == 0.0 && floe.steps * step_s < 3.0 * half) {
+      floe.step();
+      const double z = floe.mean(floe.ice.sheet.u, 2);
+      if (floe.steps > 10 && before > 0.0 && z <= 0.0) crossed = floe.steps * step_s;
+      before = z;
+    }
+    CHECK(crossed == Approx(half).epsilon(0.01));
+  }
+}
+
+// Weight, lift and drag in balance: v = sqrt(2 (rho_w - rho) g h / (rho_w C)).
+TEST_CASE("a floe let go under water rises at the speed that its drag allows") {
+  if (test_world().size() > 1) return;
+  Scenario s = floe_scenario();
+  s.water.drag = 1.2;
+  Afloat floe(s, step_s);
+  floe.ice.displace([](const Vec3&) { return Vec3(0, 0, -1.0); });
+  floe.accelerate();
+  while (floe.mean(floe.ice.sheet.u, 2) < -0.2) floe.step();
+  const double v = std::sqrt(2.0 * (s.water.rho - s.ice.rho) * gravity * s.ice.h / (s.water.rho * 1.2));
+  CHECK(floe.mean(floe.ice.sheet.v, 2) == Approx(v).epsilon(0.01));
+}
+
+TEST_CASE("water goes with ice across its plane, whichever way that has turned, and not along it") {
+  if (test_world().size() > 1) return;
+  Scenario s = floe_scenario();
+  s.water.added_mass = 0.1;
+  s.water.buoyancy_and_gravity = false;
+  Afloat floe(s, step_s);
+  // On edge, deep under water: the plate's normal is the course.
+  const double deep = -2.0;
+  floe.ice.displace([&](const Vec3& x) { return Vec3(x.z() - x.x(), 0.0, -x.x() + deep - x.z()); });
+  floe.ice.accelerate();
+  const Vec3 pull(3.0, 2.0, 1.0);
+  floe.ice.for_each([&](int, int, int, std::size_t p) {
+    for (int c = 0; c < 3; ++c) floe.ice.sheet.acceleration[c][p] = pull[c];
+  });
+  floe.forces.apply(floe.ice.sheet, 1, {});
+  const double M = s.ice.rho * s.ice.h, with = M / (M + s.water.rho * s.water.added_mass);
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 0) == Approx(with * pull.x()).epsilon(1e-4));
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 1) == Approx(pull.y()).epsilon(1e-4));
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 2) == Approx(pull.z()).epsilon(1e-4));
+}
+
+// Two halves of a block, cut apart, that run into each other at 0.2 m/s.
+TEST_CASE("floes that meet stop each other and give nothing away but their motion") {
+  if (test_world().size() > 1) return;
+  Scenario s = floe_scenario();
+  s.sheet.length = 0.64;
+  s.water.buoyancy_and_gravity = false;
+  s.numerics.floe_contact = true;
+  s.ice.crushing_pressure = 120e3;
+  Afloat floes(s, step_s);
+  const double gap = 0.004, speed = 0.1;
+  BondBits& bits = floes.ice.sheet.bits;
+  for (int jl = -reach; jl < floes.ice.sheet.layout.columns; ++jl) {
+    for (int k = 0; k < 2; ++k) {
+      floes.ice.sheet.state(jl, k)[0] = floes.ice.sheet.state(jl, k)[1] = touched;
+      for (int b = 0; b < 2; ++b) {
+        for (int n = 0; n < floes.ice.sheet.stencil.slots(k); ++n) {
+          const Offset& o = floes.ice.sheet.stencil.half[k][n];
+          for (int l = 0; l < block; ++l) {
+            const int i = b * block + l;
+            if ((i < block) != (i + o.di < block))
+              (bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block())[n] &= std::uint16_t(~(1u << l));
+          }
+        }
+      }
+    }
+  }
+  floes.ice.for_each([&](int i, int, int, std::size_t p) {
+    floes.ice.sheet.u[0][p] = i < block ? 0.0 : gap;
+    floes.ice.sheet.v[0][p] = i < block ? speed : -speed;
+  });
+  floes.accelerate();
+  const double mass = s.ice.rho * std::pow(s.numerics.dx, 3);
+  const auto momentum_and_energy = [&] {
+    std::pair<double, double> sum{0.0, 0.0};
+    floes.ice.for_each([&](int, int, int, std::size_t p) {
+      sum.first += mass * floes.ice.sheet.v[0][p];
+      sum.second += 0.5 * mass * floes.ice.velocity(p).squaredNorm();
+    });
+    return sum;
+  };
+  const auto [p0, e0] = momentum_and_energy();
+  double nearest = 1.0;
+  while (floes.steps * step_s < 0.1) {
+    floes.step();
+    double left = -1.0, right = 1.0;
+    floes.ice.for_each([&](int i, int, int, std::size_t p) {
+      const double x = floes.ice.lattice.x(i) + floes.ice.sheet.u[0][p];
+      if (i < block) left = std::max(left, x);
+      if (i >= block) right = std::min(right, x);
+    });
+    nearest = std::min(nearest, right - left);
+  }
+  const auto [p1, e1] = momentum_and_energy();
+  CHECK(p1 == Approx(p0).margin(1e-6 * mass * speed * double(floes.ice.lattice.particles())));
+  CHECK(nearest > 0.9 * s.numerics.dx);  // they met and did not pass through each other
+  CHECK(nearest < s.numerics.dx);
+  CHECK(e1 < 0.3 * e0);
+  // What the contact took is what they lost, but for what still rings in their bonds.
+  const double taken = double(floes.forces.counts().floes) * floes.model.quantum;
+  CHECK(taken == Approx(e0 - e1).epsilon(0.15));
+}
+
+namespace {
+
+// Weak ice that breaks into floes in water, in a window that moves.
+Scenario everything() {
+  Scenario s = tiny_run(1.28, 0.42);
+  s.sheet.window_ahead = 0.9;  // moves at 0.38 m
+  s.ice.K_I = 0.0;
+  s.ice.tensile_strength = 60e3;
+  s.ice.crushing_pressure = 200e3;
+  s.numerics.contact = ContactRule::crushing;
+  s.water.added_mass = 0.1;
+  s.water.drag = 1.2;
+  s.sheet.absorbing = 0.15;
+  s.numerics.floe_contact = true;
+  return s;
+}
+
+void check_same(const RunResult& many, const RunResult& one) {
+  REQUIRE(many.status == RunStatus::ok);
+  REQUIRE(many.history.rows.size() == one.history.rows.size());
+  for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
+    const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
+    CHECK(std::memcmp(&a.F, &b.F, sizeof a.F) == 0);
+    CHECK((a.broken_bonds == b.broken_bonds && a.kinetic_energy == b.kinetic_energy));
+    CHECK((a.water_loss == b.water_loss && a.floe_loss == b.floe_loss && a.edge_loss == b.edge_loss));
+  }
+  CHECK(same_process(many.process, one.process));
+}
+
+}  // namespace
+
+TEST_CASE("water, ice against ice and damped edges: the same record on any number of ranks, either way") {
+  for (const bool half : {false, true}) {
+    Scenario s = everything();
+    s.sheet.half_model = half;
+    const RunResult one = simulate(Communicator::serial(), tiny_hull(), s, {});
+    REQUIRE(one.status == RunStatus::ok);
+    CHECK(one.history.rows.back().floe_loss != 0.0);
+    check_same(simulate(test_world(), tiny_hull(), s, {}), one);
+    if (test_world().size() % 2 != 0) continue;
+    s.numerics.ranks_along_x = 2;
+    check_same(simulate(test_world(), tiny_hull(), s, {}), one);
+  }
+}
+
+TEST_CASE("what the surroundings take is in the energy balance") {
+  if (test_world().size() > 1) return;
+  Scenario s = everything();
+  // Of tough ice: the balance of ice that is crushed has an error of its own.
+  s.ice = tiny_run(1.0, 0.1).ice;
+  s.numerics.contact = ContactRule::relocation;
+  const RunResult r = simulate(Communicator::serial(), tiny_hull(), s, {});
+  const HistoryRow& last = r.history.rows.back();
+  CHECK(last.water_loss > 0.01 * last.hull_work);
+  double error = 0.0;
+  for (const HistoryRow& row : r.history.rows)
+    if (!std::isnan(row.balance_error)) error = std::max(error, std::abs(row.balance_error));
+  CHECK(error < 0.05 * last.hull_work);
+}
+
+// A sheet struck at its middle: what comes back to the middle once the waves have been to the edges.
+TEST_CASE("damped edges swallow the waves that reach them") {
+  if (test_world().size() > 1) return;
+  const auto returned = [](double absorbing) {
+    Scenario s = floe_scenario();
+    s.sheet = {0.2, 3.2, FixedEdges::sides};
+    s.sheet.absorbing = absorbing;
+    s.ice.E = 5e6;  // characteristic length 0.24 m
+    Afloat sheet(s, 1e-4);
+    sheet.ice.for_each([&](int, int j, int, std::size_t p) {
+      const double y = sheet.ice.lattice.y(j);
+      sheet.ice.sheet.v[2][p] = 0.01 * std::exp(-y * y / 0.03);
+    });
+    sheet.accelerate();
+    double energy = 0.0, all = 0.0;
+    while (sheet.steps * 1e-4 < 1.2) {
+      sheet.step();
+      if (sheet.steps == 1 || sheet.steps * 1e-4 > 0.9) {
+        double now = 0.0;
+        sheet.ice.for_each([&](int, int, int, std::size_t p) { now += sheet.ice.velocity(p).squaredNorm(); });
+        (sheet.steps == 1 ? all : energy) = std::max(sheet.steps == 1 ? all : energy, now);
+      }
+    }
+    return energy / all;
+  };
+  const double closed = returned(0.0), open = returned(0.4);
+  CHECK(closed > 0.3);
+  CHECK(open < 0.1 * closed);
+}
