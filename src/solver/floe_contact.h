@@ -1,5 +1,5 @@
 // Ice against ice: particles without a bond between them push each other back when they come nearer than a
-// spacing. Equations (45) and (46) of docs/theory.md.
+// spacing. Equation (42) of docs/theory.md.
 //
 // Only ice near broken bonds is looked at. Pairs are found every pairs_every steps and at every sample, from
 // displacements and bonds alone, so that a continued run finds the same ones; a bond that breaks in between

@@ -1,5 +1,5 @@
 // What the water does to ice that moves across its own plane, besides its weight and lift: added mass and
-// drag. Equations (41)-(43) of docs/theory.md.
+// drag. Equation (41) of docs/theory.md.
 //
 // Column by column: a column of particles is a piece of plate whose normal joins its lowest and its highest
 // particle, whichever way the floe it belongs to has turned. Water moves with the plate across its plane, and
