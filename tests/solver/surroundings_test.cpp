@@ -92,6 +92,39 @@ TEST_CASE("a floe with added mass heaves in its period") {
   }
 }
 
+// Lift goes by each particle's height as if its cube were upright: a floe's is right however it lies.
+TEST_CASE("the lift of a tilted floe that is partly submerged is that of the water it displaces") {
+  if (test_world().size() > 1) return;
+  Scenario s = floe_scenario();
+  s.ice.h = 0.06;
+  const IceBlock floe(s);
+  const EnergyModel model(s, floe.lattice, floe.material, step_s);
+  const double dx = s.numerics.dx, cube = dx * dx * dx;
+  double worst = 0.0;
+  for (const double tilt : {0.0, 0.2, 0.45, 0.8, 1.2, M_PI / 2}) {
+    for (double depth = -0.1; depth <= 0.1; depth += 0.013) {
+      const auto height = [&](double x, double z) {
+        return std::sin(tilt) * (x - 0.1) + std::cos(tilt) * z - depth;
+      };
+      double lift = 0.0, exact = 0.0;
+      floe.for_each([&](int i, int, int k, std::size_t) {
+        const double x = floe.lattice.x(i), z = floe.lattice.z(k);
+        lift += cube * (model.weight_and_lift(height(x, z)) + model.gravity) / model.lift;
+        constexpr int cuts = 20;
+        for (int a = 0; a < cuts; ++a) {
+          for (int c = 0; c < cuts; ++c) {
+            const double part = height(x + dx * ((a + 0.5) / cuts - 0.5), z + dx * ((c + 0.5) / cuts - 0.5));
+            if (part < 0.0) exact += cube / (cuts * cuts);
+          }
+        }
+      });
+      worst = std::max(worst, std::abs(lift - exact) / (cube * double(floe.lattice.particles())));
+    }
+  }
+  INFO("largest error over the floe's volume: " << worst);
+  CHECK(worst < 0.01);
+}
+
 // Weight, lift and drag in balance: v = sqrt(2 (rho_w - rho) g h / (rho_w C)).
 TEST_CASE("a floe let go under water rises at the speed that its drag allows") {
   if (test_world().size() > 1) return;
