@@ -9,7 +9,23 @@ namespace icebow {
 void IceSheet::drop_first_block(const Communicator& comm) {
   shift_fields(comm);
   shift_bonds(comm);
+  hold_far_end_together();
   start_at(lattice.first + block);
+}
+
+// Waves are reflected where the far end is held: weak ice would break there, and be cracked before the ship
+// comes. So the bonds of the last block do not break, until it is the last no more.
+void IceSheet::hold_far_end_together() {
+  const int last = lattice.blocks() - 1 - layout.i0 / block;
+  for (int b = std::max(last - 1, 0); b <= last && b < layout.blocks; ++b) {
+    for (int jl = 0; jl < layout.columns; ++jl) {
+      for (int k = 0; k < layout.nz; ++k) {
+        for (std::size_t p = layout.row(jl, k) + b * block, end = p + block; p < end; ++p) {
+          if (extra_strength[p] >= 0.0) extra_strength[p] = b == last ? held_together : 0.0;
+        }
+      }
+    }
+  }
 }
 
 void IceSheet::start_at(int first) {

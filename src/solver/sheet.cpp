@@ -74,6 +74,7 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       work_(make_work(s, material)),
       state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
       near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
+  if (s.sheet.window_ahead > 0.0) hold_far_end_together();
   // A bond across the symmetry plane and its image must break together, so both by the same arithmetic.
   if (at_symmetry_plane()) std::fill_n(state_.begin(), reach * l.nz * (layout.blocks + 2), touched);
 }

@@ -155,6 +155,7 @@ class IceSheet {
   template <class Real>
   void linear_pass(const Work<Real>& work, Pass pass, int jl);
   void shift_fields(const Communicator& comm);
+  void hold_far_end_together();
   void shift_bonds(const Communicator& comm);
   void mend_bonds(int jl);
   template <class Real>

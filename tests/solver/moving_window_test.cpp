@@ -141,6 +141,21 @@ TEST_CASE("what a window lays ahead joins ice that is at rest") {
   CHECK(broken_after - broken_by < broken_by / 10);
 }
 
+TEST_CASE("ice at the far end does not break until it is the far end no more") {
+  const Scenario s = windowed();
+  const Lattice lattice = make_lattice(s);
+  IceSheet sheet(s, lattice, make_partition(lattice, 0, 1),
+                 make_material(s.ice, lattice.dx, s.numerics.horizon_ratio));
+  const std::size_t row = sheet.layout.row(5, 1), last = row + lattice.nx - 1;
+  CHECK(sheet.extra_strength[last] > 0.0);
+  CHECK(sheet.extra_strength[last - block] == 0.0);
+  sheet.extra_strength[row + 20] = IceSheet::crushed;
+  sheet.drop_first_block(Communicator::serial());
+  CHECK(sheet.extra_strength[last] > 0.0);
+  CHECK(sheet.extra_strength[last - block] == 0.0);
+  CHECK(sheet.extra_strength[row + 4] == IceSheet::crushed);
+}
+
 TEST_CASE("a window that cannot hold the bow is refused") {
   Scenario s = windowed();
   s.sheet.window_ahead = 1.27;
