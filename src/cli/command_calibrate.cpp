@@ -1,11 +1,13 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "solver/plate_on_water.h"
 #include "solver/stencil.h"
 #include "solver/virtual_tests.h"
 #include "study/calibration.h"
@@ -18,18 +20,43 @@ struct Properties {
   double elastic_modulus, flexural_strength, compressive_strength;  // [Pa]; 0 = none
 };
 
+struct InSitu {
+  double strength_up, strength_down, modulus;  // [Pa]
+};
+
+// Tests of the sheet as it floats.
+struct Afloat {
+  double plate_modulus;          // [Pa]
+  double characteristic_length;  // with it [m]
+  std::optional<InSitu> in_situ;
+};
+
 // Of one ice, at the scale of the study's section "ice".
 struct Comparison {
   Case description;
   Scenario simulated;  // at the scale that is simulated
   Properties requested, measured;
+  Afloat afloat;
   int beam_breaks, prism_breaks;
   double seconds;
   std::string scale;  // "full", "model"
   double lambda;      // that scale / simulated scale
 };
 
-Comparison compare(const ChosenDesign& chosen) {
+Afloat test_afloat(const Scenario& s, double lambda, bool in_situ) {
+  const auto pascals = [&](double value) { return to_full_scale(value, lambda, scaling::stress); };
+  const double modulus = virtual_plate_test(s), h = std::lround(s.ice.h / s.numerics.dx) * s.numerics.dx,
+               ell = characteristic_length(plate_on_water(modulus, s.ice.nu, h, s.water.rho));
+  Afloat found = {pascals(modulus), to_full_scale(ell, lambda, scaling::length), {}};
+  if (in_situ) {
+    found.in_situ =
+        InSitu{pascals(virtual_in_situ_test(s, Push::up).flexural_strength),
+               pascals(virtual_in_situ_test(s, Push::down).flexural_strength), pascals(in_situ_modulus(s))};
+  }
+  return found;
+}
+
+Comparison compare(const ChosenDesign& chosen, bool in_situ) {
   const auto begin = std::chrono::steady_clock::now();
   Comparison c;
   c.description = chosen.description;
@@ -46,6 +73,7 @@ Comparison compare(const ChosenDesign& chosen) {
                  from_full(c.description.compressive_strength)};
   c.measured = {from_model(beam.elastic_modulus), from_model(beam.flexural_strength),
                 from_model(prism.compressive_strength)};
+  c.afloat = test_afloat(c.simulated, c.lambda, in_situ);
   c.beam_breaks = beam.breaks;
   c.prism_breaks = prism.breaks;
   c.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -110,12 +138,24 @@ Json properties_json(const Properties& p) {
   return json;
 }
 
+Json measured_json(const Comparison& c) {
+  Json json = properties_json(c.measured);
+  json["plate_deflection_modulus_Pa"] = c.afloat.plate_modulus;
+  json["characteristic_length_m"] = c.afloat.characteristic_length;
+  if (const auto& in_situ = c.afloat.in_situ) {
+    json["in_situ_flexural_strength_up_Pa"] = in_situ->strength_up;
+    json["in_situ_flexural_strength_down_Pa"] = in_situ->strength_down;
+    json["in_situ_modulus_Pa"] = in_situ->modulus;
+  }
+  return json;
+}
+
 Json to_json(const Comparison& c, const std::string& design) {
   return {{"design", design},
           {"model", model_name(c)},
           {"scale", c.scale},
           {"requested", properties_json(c.requested)},
-          {"measured", properties_json(c.measured)},
+          {"measured", measured_json(c)},
           {"input", input_json(c)},
           {"spacing_m", spacing(c)},
           {"layers", layers(c)},
@@ -132,12 +172,20 @@ std::string for_people(const Comparison& c, const std::string& design) {
                                     given ? decimals(measured / requested, 3) : "-"};
   };
   const Properties &r = c.requested, &m = c.measured;
+  std::vector<std::vector<std::string>> rows = {
+      {"kPa", "requested", "measured", "ratio"},
+      row("elastic modulus", r.elastic_modulus, m.elastic_modulus),
+      row("flexural strength", r.flexural_strength, m.flexural_strength),
+      row("compressive strength", r.compressive_strength, m.compressive_strength),
+      row("modulus, plate afloat", r.elastic_modulus, c.afloat.plate_modulus)};
+  if (const auto& in_situ = c.afloat.in_situ) {
+    rows.push_back(row("strength in situ, up", r.flexural_strength, in_situ->strength_up));
+    rows.push_back(row("strength in situ, down", r.flexural_strength, in_situ->strength_down));
+    rows.push_back(row("modulus in situ", r.elastic_modulus, in_situ->modulus));
+  }
   std::string text = design + ": ice of the model " + model_name(c) + ", " + c.scale + " scale, " +
                      std::to_string(layers(c)) + " layers of " + brief(spacing(c)) + " m\n\n";
-  text += text_table({{"kPa", "requested", "measured", "ratio"},
-                      row("elastic modulus", r.elastic_modulus, m.elastic_modulus),
-                      row("flexural strength", r.flexural_strength, m.flexural_strength),
-                      row("compressive strength", r.compressive_strength, m.compressive_strength)});
+  text += text_table(rows);
   text += "\nsimulated with: modulus " + brief(input_modulus(c) / 1e3) + " kPa, " +
           (breaks_by_stress(c) ? "tensile strength of bonds " + brief(input_strength(c) / 1e3) + " kPa"
                                : "critical stretch " + brief(input_stretch(c)));
@@ -147,7 +195,13 @@ std::string for_people(const Comparison& c, const std::string& design) {
   text += "virtual tests: cantilever 7 h x 2 h, " + std::to_string(c.beam_breaks) +
           " breaks; prism 4 h x 2 h, " + std::to_string(c.prism_breaks) + " breaks; " +
           decimals(c.seconds, 1) + " s\n";
+  text += "Characteristic length of the sheet, from the plate's deflection: " +
+          brief(c.afloat.characteristic_length) + " m.\n";
   text += "The beam is dry; in water it would be stiffer by " + decimals(100.0 * buoyancy(c), 1) + " %.\n";
+  if (c.afloat.in_situ)
+    text +=
+        "In situ the sheet gives way at the root, which the modulus takes for the beam's, and sides made by "
+        "a cut are soft.\n";
   if (!breaks_by_stress(c))
     text += "Bonds that break by stretch have one strength: the others follow from it and cannot be set.\n";
   return text;
@@ -157,7 +211,7 @@ std::string for_people(const Comparison& c, const std::string& design) {
 
 int run_calibrate(const Communicator&, const Arguments& arguments) {
   const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
-  const Comparison c = compare(chosen);
+  const Comparison c = compare(chosen, arguments.has("--in-situ"));
   if (arguments.has("--json")) {
     std::cout << to_json(c, chosen.design.name).dump(2) << "\n";
   } else {

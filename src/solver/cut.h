@@ -8,11 +8,11 @@
 namespace icebow {
 
 // which(i, j, k, offset) of each alive bond, by its lower end, says whether it is to go. Returns how many
-// went.
+// went. In a half model a bond across the plane begins at an image column, j = -1 .. -reach.
 template <class Which>
 std::int64_t cut(IceSheet& sheet, Which which) {
   std::int64_t gone = 0;
-  for (int j = 0; j < sheet.layout.columns; ++j) {
+  for (int j = sheet.first_column(); j < sheet.layout.columns; ++j) {
     for (int k = 0; k < sheet.layout.nz; ++k) {
       const std::vector<Offset>& slots = sheet.stencil.half[k];
       for (int i = 0; i < sheet.lattice.nx; ++i) {

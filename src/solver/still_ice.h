@@ -30,11 +30,14 @@ class StillIce {
   // where they do not balance.
   int settle(double tolerance = 1e-7);
 
-  // Dilatation at what settle() found.
-  double theta(int i, int j, int k) const { return dilatation_[ice.lattice.id(i, j, k)]; }
-  Vec3 u(int i, int j, int k) const { return displacement_.segment<3>(3 * ice.lattice.id(i, j, k)); }
+  // Dilatation at what settle() found. j < 0: the mirror image of a half model's column.
+  double theta(int i, int j, int k) const { return dilatation_[ice.lattice.id(i, own(j), k)]; }
+  Vec3 u(int i, int j, int k) const {
+    const Vec3 of_own = displacement_.segment<3>(3 * ice.lattice.id(i, own(j), k));
+    return j < 0 ? Vec3(of_own.x(), -of_own.y(), of_own.z()) : of_own;
+  }
   double work() const { return 0.5 * force_.dot(displacement_); }  // of the forces, put on slowly [J]
-  // Force by which the particles named are kept where they are [N].
+  // Force by which the particles named are kept where they are, a half model's images not counted [N].
   Vec3 support(const Where& where);
   // Elastic energy the solver finds in the displacements, at `scale` times their size [J].
   double elastic_energy(const Scenario& s, double scale);
@@ -44,6 +47,7 @@ class StillIce {
  private:
   template <class Visit>
   void for_each(Visit visit) const;
+  static int own(int j) { return j < 0 ? -1 - j : j; }
   Eigen::VectorXd unheld(const Eigen::VectorXd& x) const;
   void place(const Eigen::VectorXd& x, double scale);
   Eigen::VectorXd accelerations(const Eigen::VectorXd& x, double scale);

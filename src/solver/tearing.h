@@ -57,4 +57,32 @@ Tear tear(StillIce& ice, MayBreak may_break) {
   return {1.0 / largest, break_above(ice, 0.999 * largest, may_break)};
 }
 
+struct Failure {
+  double first = 0.0, highest = 0.0;  // load before the first bond breaks; at the peak
+  int breaks = 0;                     // equilibria that the piece went through
+};
+
+// Breaks bonds until the load the piece carries is well below its highest. load() is the support's at the
+// displacements given, between which and the break everything is in proportion.
+template <class MayBreak, class Load>
+Failure tear_until_it_fails(StillIce& ice, const MayBreak& may_break, const Load& load) {
+  // Unbalanced forces at an equilibrium. At 1e-4 the crack has not felt its last bond when the next one goes:
+  // the strength comes out a tenth higher.
+  constexpr double balance = 1e-6;
+  constexpr double together = 1e-3;  // bonds this near to the most stretched break with it: its mirror images
+  constexpr double fallen = 0.8;     // of the highest load: the test is over
+  Failure failure;
+  for (double now = 0.0; now >= fallen * failure.highest; ++failure.breaks) {
+    ice.settle(balance);
+    const double demand = largest_demand(ice, may_break);
+    if (!(demand > 0.0)) break;
+    const double unit = load();
+    now = unit / demand;
+    if (failure.breaks == 0) failure.first = unit;
+    failure.highest = std::max(failure.highest, now);
+    break_above(ice, (1.0 - together) * demand, may_break);
+  }
+  return failure;
+}
+
 }  // namespace icebow

@@ -297,7 +297,11 @@ class Calibrate(ProgramTest):
     def test_json_has_what_was_requested_and_measured(self):
         said = json.loads(self.expect(0, "calibrate", TINY, *self.ICE, "--json").stdout)
         requested, measured = said["requested"], said["measured"]
-        self.assertEqual(set(requested), set(measured))
+        self.assertLessEqual(set(requested), set(measured))
+        self.assertAlmostEqual(measured["plate_deflection_modulus_Pa"] / 35e6, 1.12, delta=0.05)  # 2 layers
+        length = (measured["plate_deflection_modulus_Pa"] * 0.08 ** 3 / (12 * (1 - 0.33 ** 2) * 9806.65)) ** 0.25
+        self.assertAlmostEqual(measured["characteristic_length_m"] / length, 1, delta=0.02)
+        self.assertNotIn("in_situ_modulus_Pa", measured)
         self.assertEqual(said["scale"], "model")
         self.assertAlmostEqual(requested["elastic_modulus_Pa"], 35e6, delta=1)
         self.assertAlmostEqual(requested["flexural_strength_Pa"], 35e3, delta=1)
@@ -305,6 +309,14 @@ class Calibrate(ProgramTest):
         for name in ("elastic_modulus_Pa", "flexural_strength_Pa"):
             self.assertAlmostEqual(measured[name] / requested[name], 1, delta=0.03)
         self.assertAlmostEqual(measured["compressive_strength_Pa"] / 105e3, 1, delta=0.1)
+
+    def test_beams_in_the_floating_sheet_are_tested_where_asked_for(self):
+        measured = json.loads(self.expect(0, "calibrate", TINY, *self.ICE, "--in-situ", "--json").stdout)["measured"]
+        up, down = (measured[f"in_situ_flexural_strength_{way}_Pa"] for way in ("up", "down"))
+        self.assertAlmostEqual(up / down, 1, delta=0.01)
+        self.assertLess(up, measured["flexural_strength_Pa"])
+        self.assertLess(measured["in_situ_modulus_Pa"], measured["elastic_modulus_Pa"])
+        self.assertIn("strength in situ, down", self.expect(0, "calibrate", TINY, *self.ICE, "--in-situ").stdout)
 
     def test_full_scale_ice_is_compared_at_full_scale(self):
         words = ("calibrate", TINY, "--json", "--set", "/ice/model=calibrated", "--set",

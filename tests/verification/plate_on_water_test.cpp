@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "bent_ice.h"
+#include "solver/plate_on_water.h"
 
 using namespace icebow;
 
@@ -23,18 +24,6 @@ struct Afloat {
   }
 };
 
-// Deflection at distance r of an endless plate of rigidity D on a foundation k under 1 N spread over a disc
-// of radius a, with shear (Mindlin 1951): the Hankel transform of k w + D del^4 w / (1 - (D/S) del^2) = p.
-double endless_plate(double a, double r, double D, double S, double k) {
-  const double ell = std::pow(D / k, 0.25), dt = 0.01 / ell;
-  double sum = 0.0;
-  for (double t = 0.5 * dt; t < 60.0 / ell; t += dt) {
-    const double p = 2.0 * std::cyl_bessel_j(1.0, t * a) / (t * a) * std::cyl_bessel_j(0.0, t * r);
-    sum += p * t * dt / (k + D * std::pow(t, 4) / (1.0 + D / S * t * t));
-  }
-  return sum / (2.0 * pi);
-}
-
 double deflection_at(const StillIce& plate, int i, int j) {
   double sum = 0.0;
   for (int k = 0; k < plate.ice.lattice.nz; ++k) sum += plate.u(i, j, k).z();
@@ -43,9 +32,14 @@ double deflection_at(const StillIce& plate, int i, int j) {
 
 }  // namespace
 
-TEST_CASE("the formula for a disc and without shear is Hertz's P l^2 / (8 D) under a small one") {
-  const double D = 288.0, k = 9806.65;
-  CHECK(endless_plate(1e-3, 0.0, D, 1e12, k) == Approx(1.0 / (8.0 * std::sqrt(D * k))).epsilon(2e-3));
+TEST_CASE("under a small disc a thin endless plate goes down as Hertz and Wyman say") {
+  const double k = 9806.65, ell = 0.4, hertz = 1.0 / (8.0 * k * ell * ell);
+  const PlateOnWater thin{k * std::pow(ell, 4), 1e12, k};
+  CHECK(characteristic_length(thin) == Approx(ell));
+  CHECK(deflection_under_disc(thin, 1e-3, 0.0) == Approx(hertz).epsilon(2e-3));
+  // Wyman's ker' of the radius over ell, to the third power of it.
+  const double a = 0.25, wyman = 1.0 + a * a / (2.0 * pi) * (std::log(0.5 * a) + 0.577216 - 1.25);
+  CHECK(deflection_under_disc(thin, a * ell, 0.0) == Approx(wyman * hertz).epsilon(5e-4));
 }
 
 TEST_CASE("a loaded sheet afloat goes down as an endless plate of its own rigidity on water") {
@@ -59,12 +53,13 @@ TEST_CASE("a loaded sheet afloat goes down as an endless plate of its own rigidi
     };
     plate.push(disc, {0.0, 0.0, 1.0});
     plate.settle(1e-6);
-    const double D = rigidity(s.ice), own = D * plate_rigidity(layers, true);
-    const double S = 5.0 / 6.0 * s.ice.h * s.ice.E / (2.0 * (1.0 + s.ice.nu)), k = s.water.rho * gravity;
+    const PlateOnWater theory = plate_on_water(s.ice.E, s.ice.nu, s.ice.h, s.water.rho);
+    PlateOnWater own = theory;
+    own.bending *= plate_rigidity(layers, true);
     const double dx = s.numerics.dx, a = std::sqrt(13.0 / pi) * dx;  // 13 particles make the disc
     for (int r : {0, 4, 8, 16}) {
-      const double found = deflection_at(plate, c + r, c), nominal = endless_plate(a, r * dx, D, S, k),
-                   effective = endless_plate(a, r * dx, own, S, k);
+      const double found = deflection_at(plate, c + r, c), nominal = deflection_under_disc(theory, a, r * dx),
+                   effective = deflection_under_disc(own, a, r * dx);
       INFO(layers << " layers, r = " << r / sheet.ell << " l: deflection " << found << " m/N, plate theory "
                   << nominal << ", with the rigidity of the clamped plate " << effective);
       CHECK(found == Approx(effective).epsilon(0.05));
