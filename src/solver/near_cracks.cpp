@@ -1,6 +1,7 @@
 #include "solver/near_cracks.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace icebow {
 namespace {

@@ -67,9 +67,10 @@ TEST_CASE("a design becomes a result with all its files, the same on every rank"
     std::getline(history, header);
     CHECK(header ==
           "time_s,advance_m,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm,broken_bonds,contacts,kinetic_energy_J,"
-          "potential_J,hull_work_J,contact_loss_J,elastic_J,fracture_J,balance_error_J");
+          "potential_J,hull_work_J,contact_loss_J,elastic_J,fracture_J,balance_error_J,water_loss_J,floe_"
+          "loss_J,edge_loss_J");
     CHECK(std::getline(history, row));
-    CHECK(std::count(row.begin(), row.end(), ',') == 16);
+    CHECK(std::count(row.begin(), row.end(), ',') == 19);
     CHECK(r.at("simulation").at("ended") == "advance reached");
     CHECK(r.at("profile").at(0).at("phase") == "drift");
     CHECK(r.at("profile").at(0).at("share").get<double>() > 0.0);
