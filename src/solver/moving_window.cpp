@@ -77,6 +77,7 @@ void IceSheet::shift_bonds(const Communicator& comm) {
       std::uint8_t* const row = state(jl, k);
       std::memmove(row - 1, row, blocks + 1);
       row[blocks] = fresh_state(jl);
+      if (partition.west < 0) row[-1] = fresh_state(jl);  // there is no block beyond the end
       if (partition.east < 0) row[blocks - 1] = fresh_state(jl);
     }
     mend_bonds(jl);

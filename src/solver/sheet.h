@@ -113,7 +113,7 @@ class IceSheet {
     return &state_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
   }
   // Of a block without strain.
-  BlockState fresh_state(int jl) const { return layout.j0 + jl < 0 ? touched : calm; }
+  BlockState fresh_state(int jl) const { return jl < 0 && at_symmetry_plane() ? touched : calm; }
   const std::uint8_t* state(int jl, int k) const { return const_cast<IceSheet*>(this)->state(jl, k); }
 
   // Bonds' constants; Real must be of the sheet's precision.
