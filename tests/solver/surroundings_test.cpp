@@ -227,6 +227,8 @@ namespace {
 Scenario everything() {
   Scenario s = tiny_run(1.28, 0.42);
   s.sheet.window_ahead = 0.9;  // moves at 0.38 m
+  s.sheet.width = 0.4;
+  s.V = 1.0;
   s.ice.K_I = 0.0;
   s.ice.tensile_strength = 60e3;
   s.ice.crushing_pressure = 200e3;
