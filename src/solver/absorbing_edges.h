@@ -1,19 +1,14 @@
-// Damping of the ice near the edges of the sheet: waves that run out to them do not come back. Equation (44)
+// Damping of the ice near the edges of the sheet: waves that run out to them do not come back. Equation (43)
 // of docs/theory.md.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "solver/energy.h"
 #include "solver/scenario.h"
 #include "solver/sheet.h"
 
 namespace icebow {
-
-// Rate of damping at the edge itself [1/s], for which a flexural wave of the sheet's characteristic length
-// that crosses the damped ice twice is left with a tenth of its amplitude.
-double absorbing_rate(const Scenario& scenario);
 
 class AbsorbingEdges {
  public:
@@ -25,9 +20,12 @@ class AbsorbingEdges {
 
  private:
   double rate_at(double distance) const;  // from the nearest absorbing edge
+  // Of particle p at height z; returns the energy taken [J].
+  double damp(IceSheet& sheet, std::size_t p, double z, double rate) const;
 
   EnergyModel model_;
-  double width_, rate_;
+  double width_;  //!< [m]
+  double rate_;   //!< at the edge itself [1/s]
 };
 
 }  // namespace icebow

@@ -15,22 +15,17 @@ void ContactLedger::struck(std::size_t p, double z, const Vec3& v_before, const 
   now_.push_back({p, z, delta_v, push, Vec3::Zero(), true});
 }
 
-// Columns move in any order.
-void ContactLedger::sort() {
-  std::sort(now_.begin(), now_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
-}
-
-std::vector<HullStrike> ContactLedger::strikes() {
-  sort();
+std::vector<HullStrike> ContactLedger::strikes() const {
   std::vector<HullStrike> all;
-  for (const Touch& touch : now_) {
+  for (const Touch& touch : before_) {
     if (touch.struck) all.push_back({touch.p, touch.delta_v});
   }
   return all;
 }
 
 void ContactLedger::close_step(const IceSheet& sheet) {
-  sort();
+  // Columns move in any order.
+  std::sort(now_.begin(), now_.end(), [](const Touch& a, const Touch& b) { return a.p < b.p; });
   auto before = before_.begin();
   for (Touch& now : now_) {
     for (int c = 0; c < 3; ++c) now.acceleration[c] = sheet.acceleration[c][now.p];

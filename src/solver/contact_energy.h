@@ -29,10 +29,10 @@ class ContactLedger {
   // A particle (its place p in the fields, the reference height z of its row) near the hull but outside.
   void passed(std::size_t p, double z);
   void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
-  // Of the step that is not closed yet, by place: the same in whatever order columns have moved.
-  std::vector<HullStrike> strikes();
   // When forces are known: the step's strikes are accounted for.
   void close_step(const IceSheet& sheet);
+  // Of the step closed last, by place.
+  std::vector<HullStrike> strikes() const;
 
   // The last step's particles next to the hull, five numbers each: number in the lattice, reference height,
   // acceleration. And back, from all ranks' lists in any order: a rank takes its own.
@@ -54,7 +54,6 @@ class ContactLedger {
     Vec3 delta_v, push, acceleration;
     bool struck;
   };
-  void sort();
   void account(const Touch& now, const Vec3& acceleration_before);
 
   EnergyModel model_;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "solver/bond_query.h"
 #include "solver/near_cracks.h"
 #include "solver/point_cells.h"
 

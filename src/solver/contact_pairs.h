@@ -1,7 +1,7 @@
 // Pairs of particles that may touch: near each other, without a bond, wherever in the lattice they come from.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "base/communicator.h"
@@ -29,7 +29,6 @@ class ContactPairs {
   void refresh(const IceSheet& sheet);  // where the particles of the pairs are now
 
   const std::vector<Of>& all() const { return all_; }
-  std::int64_t count() const { return static_cast<std::int64_t>(partners_.size()); }
   const Particle& particle(int n) const { return particles_[n]; }
   // The mirror image of one at the symmetry plane of a half model.
   Particle partner(int n) const {

@@ -162,8 +162,4 @@ Cracks find_cracks(const CrackedSheet& sheet, const std::vector<Segment>& waterl
   return cracks;
 }
 
-double characteristic_length(double E, double h, double nu, double rho_w) {
-  return std::pow(E * h * h * h / (12.0 * (1.0 - nu * nu) * rho_w * gravity), 0.25);
-}
-
 }  // namespace icebow

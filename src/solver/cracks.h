@@ -24,7 +24,4 @@ struct CrackedSheet {
 // other form a crack; what is shorter than two thicknesses is none, but for crushed ice.
 Cracks find_cracks(const CrackedSheet& sheet, const std::vector<Segment>& waterline);
 
-// l = (E h^3 / (12 (1 - nu^2) rho_w g))^(1/4) of a plate on water [m].
-double characteristic_length(double E, double h, double nu, double rho_w);
-
 }  // namespace icebow

@@ -49,9 +49,9 @@ void EnergyWatch::sample(const Stepper& stepper, HistoryRow& row) {
                              given.edges};
   comm_.sum(counts, 13);
   const Energies e = joules(counts), gone = joules(counts + 4);
-  row.hull_work = counts[8] * copies_ * model_.quantum;
-  row.contact_loss = (counts[8] - counts[9]) * copies_ * model_.quantum;
   const double joule = copies_ * model_.quantum;
+  row.hull_work = counts[8] * joule;
+  row.contact_loss = (counts[8] - counts[9]) * joule;
   row.water_loss = counts[10] * joule;
   row.floe_loss = counts[11] * joule;
   row.edge_loss = counts[12] * joule;

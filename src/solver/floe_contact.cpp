@@ -39,8 +39,7 @@ FloeContactLaw floe_contact_law(const Scenario& s, const Material& material) {
 
 FloeContact::FloeContact(const Communicator& comm, const Scenario& s, const Material& material,
                          const EnergyModel& model)
-    : comm_(comm),
-      acts_(s.numerics.floe_contact),
+    : acts_(s.numerics.floe_contact),
       law_(floe_contact_law(s, material)),
       model_(model),
       pairs_(comm, 1.25 * law_.distance) {}

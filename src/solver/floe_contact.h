@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "base/communicator.h"
 #include "solver/contact_pairs.h"
@@ -43,10 +42,8 @@ class FloeContact {
   // Adds to the accelerations of this rank's ice, which must hold the bonds' part; returns the energy taken,
   // in quanta: what the contacts store and give back included.
   std::int64_t apply(IceSheet& sheet);
-  std::int64_t pairs() const { return pairs_.count(); }  // this rank's, each from either side
 
  private:
-  Communicator comm_;
   bool acts_;
   FloeContactLaw law_;
   EnergyModel model_;

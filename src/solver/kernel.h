@@ -13,10 +13,9 @@
 //   calm     all bonds there, |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone
 //            (relative error of a force below 0.75 e_calm), in fp64 three terms (below 1e-9)
 //   intact   all bonds there, |e| <= e_small: fits of a low degree, no bond bits
-//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a shortening
-//   of
-//            10 %) they stay at their value there. Where bonds break by stress, back to intact once
-//            they have slackened and all are there
+//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a
+//            shortening of 10 %) they stay at their value there. Where bonds break by stress, back to
+//            intact once they have slackened and all are there
 #pragma once
 
 #include <cstddef>

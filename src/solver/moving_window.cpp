@@ -17,15 +17,16 @@ void IceSheet::drop_first_block(const Communicator& comm) {
 // comes. So the bonds of the last block do not break, until it is the last no more.
 void IceSheet::hold_far_end_together() {
   const int last = lattice.blocks() - 1 - layout.i0 / block;
-  for (int b = std::max(last - 1, 0); b <= last && b < layout.blocks; ++b) {
-    for (int jl = 0; jl < layout.columns; ++jl) {
-      for (int k = 0; k < layout.nz; ++k) {
-        for (std::size_t p = layout.row(jl, k) + b * block, end = p + block; p < end; ++p) {
-          if (extra_strength[p] >= 0.0) extra_strength[p] = b == last ? held_together : 0.0;
-        }
-      }
+  const auto strengthen = [this](int b, double by) {
+    if (b < 0 || b >= layout.blocks) return;
+    for (int row = 0; row < layout.columns * layout.nz; ++row) {
+      const std::size_t first = layout.row(row / layout.nz, row % layout.nz) + std::size_t(b) * block;
+      for (std::size_t p = first; p < first + block; ++p)
+        if (extra_strength[p] >= 0.0) extra_strength[p] = by;
     }
-  }
+  };
+  strengthen(last - 1, 0.0);
+  strengthen(last, held_together);
 }
 
 void IceSheet::start_at(int first) {

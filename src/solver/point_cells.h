@@ -37,8 +37,8 @@ class PointCells {
     int number;
   };
   int cell(const Vec3& p, int c) const {
-    // Clamped before it is converted: a particle may have been thrown anywhere.
-    return static_cast<int>(std::clamp((p[c] - lower_[c]) / edge_, 0.0, n_[c] - 1.0));
+    // Clamped before it is converted: a particle may have been thrown anywhere, and NaN becomes 0.
+    return static_cast<int>(std::max(0.0, std::min(n_[c] - 1.0, (p[c] - lower_[c]) / edge_)));
   }
   std::size_t number(const Vec3& p) const {
     return (std::size_t(cell(p, 2)) * n_[1] + cell(p, 1)) * n_[0] + cell(p, 0);

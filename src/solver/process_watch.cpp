@@ -6,6 +6,7 @@
 
 #include "solver/cracks.h"
 #include "solver/load_cycle.h"
+#include "solver/plate_on_water.h"
 
 namespace icebow {
 namespace {
@@ -19,6 +20,10 @@ void broadcast_list(const Communicator& comm, std::vector<T>& values) {
   comm.broadcast(&n, sizeof n);
   values.resize(n);
   if (n > 0) comm.broadcast(values.data(), n * sizeof(T));
+}
+
+PlateOnWater floating_sheet(const Scenario& s) {
+  return plate_on_water(s.ice.E, s.ice.nu, s.ice.h, s.water.rho);
 }
 
 }  // namespace
@@ -59,8 +64,7 @@ Cracks ProcessWatch::cracks(const Stepper& stepper) const {
   sheet.lattice = stepper.sheet().lattice;
   sheet.columns = cracks_.columns();
   sheet.thickness = scenario_.ice.h;
-  sheet.characteristic_length =
-      characteristic_length(scenario_.ice.E, scenario_.ice.h, scenario_.ice.nu, scenario_.water.rho);
+  sheet.characteristic_length = characteristic_length(floating_sheet(scenario_));
   if (scenario_.sheet.fixed != FixedEdges::none)
     sheet.held_beyond = 0.5 * sheet.lattice.width() - reach * sheet.lattice.dx;
   sheet.first_touch_x = start_x_;
@@ -71,8 +75,7 @@ BreakingProcess ProcessWatch::sum_up(const Stepper& stepper, const SheetState& s
                                      const History& history) const {
   BreakingProcess p;
   p.thickness = scenario_.ice.h;
-  p.characteristic_length =
-      characteristic_length(scenario_.ice.E, scenario_.ice.h, scenario_.ice.nu, scenario_.water.rho);
+  p.characteristic_length = characteristic_length(floating_sheet(scenario_));
   p.stem_x = stepper.hull_x();
   if (comm_.is_root()) {
     p.cracks = cracks(stepper);

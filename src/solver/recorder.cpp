@@ -23,7 +23,7 @@ Recorder::Recorder(const Communicator& comm, const Stepper& stepper, const Scena
     : comm_(comm),
       V_(s.V),
       dt_limit_(dt_limit),
-      steps_per_sample_(icebow::steps_per_sample(s.ice.h, stepper.dt())),
+      steps_per_sample_(sampling_steps(s.ice.h, stepper.dt())),
       watch_(comm, stepper, s, steps_per_sample_) {
   const Material& m = stepper.material();
   fastest_allowed_ = std::sqrt((m.kappa + 4.0 * m.mu / 3.0) / s.ice.rho);  // P wave

@@ -13,7 +13,7 @@ namespace icebow {
 inline double sampling_interval(double h) {
   return 0.08 * std::sqrt(h / gravity);
 }
-inline std::int64_t steps_per_sample(double h, double dt) {
+inline std::int64_t sampling_steps(double h, double dt) {
   return std::max<std::int64_t>(1, std::llround(sampling_interval(h) / dt));
 }
 

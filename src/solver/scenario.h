@@ -63,7 +63,7 @@ struct Numerics {
   bool surface_correction = true;
   Precision precision = Precision::fp32;
   ContactRule contact = ContactRule::relocation;
-  bool floe_contact = false;  // broken ice pushes back broken ice it meets
+  bool floe_contact = false;  // pieces of ice push back what they meet
   int ranks_along_x = 0;      // MPI ranks along the ship's course; 0 = the smallest halo decides
   double friction = 0.0;      //!< hull-ice Coulomb coefficient
 };

@@ -102,14 +102,12 @@ void Stepper::step() {
   contacts_ = 0;
   set_hull_box();
   broken_bonds_ += schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
-  const bool surrounded = surroundings_.act();
-  const std::vector<HullStrike> strikes = surrounded ? ledger_.strikes() : std::vector<HullStrike>();
-  // The work of the surroundings is counted by velocities, that of bonds by displacements: the ledger wants
-  // the latter's accelerations alone.
+  // Before the surroundings: their work is counted by velocities, that of bonds by displacements, and the
+  // ledger wants the latter's accelerations alone.
   ledger_.close_step(sheet_);
   timer_.lap(Phase::energy);
-  if (!surrounded) return;
-  surroundings_.apply(sheet_, steps_, strikes);
+  if (!surroundings_.act()) return;
+  surroundings_.apply(sheet_, steps_, ledger_.strikes());
   timer_.lap(Phase::surroundings);
 }
 

@@ -9,7 +9,7 @@ SurroundingForces::SurroundingForces(const Communicator& comm, const Scenario& s
     : water_(s, s.numerics.dx, model),
       floes_(comm, s, material, model),
       edges_(s, model),
-      steps_per_sample_(steps_per_sample(s.ice.h, model.dt)) {}
+      steps_per_sample_(sampling_steps(s.ice.h, model.dt)) {}
 
 void SurroundingForces::apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes) {
   if (floes_.acts()) {

@@ -2,8 +2,8 @@
 // the damped edges. Each is off unless the scenario asks for it.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/communicator.h"
 #include "solver/absorbing_edges.h"

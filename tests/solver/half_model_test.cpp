@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "ice_block.h"
 #include "same_process.h"
+#include "same_record.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
 #include "solver/simulation.h"
@@ -170,16 +171,7 @@ namespace {
 
 void check_same(const RunResult& many, const RunResult& one) {
   REQUIRE(many.status == RunStatus::ok);
-  REQUIRE(many.history.rows.size() == one.history.rows.size());
-  for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
-    const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
-    CHECK(std::memcmp(&a.F, &b.F, sizeof a.F) == 0);
-    CHECK(std::memcmp(&a.M, &b.M, sizeof a.M) == 0);
-    CHECK((a.broken_bonds == b.broken_bonds && a.contacts == b.contacts));
-    CHECK((a.kinetic_energy == b.kinetic_energy && a.potential == b.potential));
-    CHECK((a.hull_work == b.hull_work && a.contact_loss == b.contact_loss));
-    CHECK(std::memcmp(&a.balance_error, &b.balance_error, sizeof a.balance_error) == 0);
-  }
+  check_same_record(many.history, one.history);
   CHECK(many.metrics.bonds == one.metrics.bonds);
   CHECK(many.metrics.mean_damage == one.metrics.mean_damage);
   CHECK(many.metrics.broken_volume == one.metrics.broken_volume);

@@ -1,12 +1,15 @@
 // Forces on the ice besides its bonds and the hull: water, other ice, damped edges.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <random>
 
 #include "../main.h"
 #include "base/units.h"
 #include "same_process.h"
+#include "same_record.h"
 #include "solver/ice_block.h"
+#include "solver/point_cells.h"
 #include "solver/simulation.h"
 #include "solver/surrounding_forces.h"
 #include "tiny_hull.h"
@@ -17,11 +20,8 @@ namespace {
 
 // A free floe of ten by ten columns, two layers thick.
 Scenario floe_scenario() {
-  Scenario s;
-  s.ice = {0.04, 826.6, 52e6, 0.33, 0.0, 60e3};
+  Scenario s = tiny_run(0.2, 0.0);
   s.sheet = {0.2, 0.2, FixedEdges::none};
-  s.numerics.dx = 0.02;
-  s.V = 0.4;
   return s;
 }
 
@@ -242,13 +242,7 @@ Scenario everything() {
 
 void check_same(const RunResult& many, const RunResult& one) {
   REQUIRE(many.status == RunStatus::ok);
-  REQUIRE(many.history.rows.size() == one.history.rows.size());
-  for (std::size_t n = 0; n < one.history.rows.size(); ++n) {
-    const HistoryRow &a = many.history.rows[n], &b = one.history.rows[n];
-    CHECK(std::memcmp(&a.F, &b.F, sizeof a.F) == 0);
-    CHECK((a.broken_bonds == b.broken_bonds && a.kinetic_energy == b.kinetic_energy));
-    CHECK((a.water_loss == b.water_loss && a.floe_loss == b.floe_loss && a.edge_loss == b.edge_loss));
-  }
+  check_same_record(many.history, one.history);
   CHECK(same_process(many.process, one.process));
 }
 
@@ -311,4 +305,28 @@ TEST_CASE("damped edges swallow the waves that reach them") {
   const double closed = returned(0.0), open = returned(0.4);
   CHECK(closed > 0.3);
   CHECK(open < 0.1 * closed);
+}
+
+// Some points outside the box of the cells, one nowhere.
+TEST_CASE("cells find the points that are near, wherever they are") {
+  if (test_world().size() > 1) return;
+  constexpr double edge = 0.1;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-0.5, 1.5);
+  std::vector<Vec3> points;
+  for (int n = 0; n < 3000; ++n) points.emplace_back(place(random), place(random), 0.4 * place(random));
+  points.emplace_back(1e9, -1e9, 1e300);
+  points.emplace_back(std::nan(""), 0.5, 0.5);
+  const PointCells cells(points, Vec3::Zero(), Vec3::Ones(), edge);
+  int pairs = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    std::vector<int> found, near;
+    cells.for_each_near(points[n], [&](int m) { found.push_back(m); });
+    for (std::size_t m = 0; m < points.size(); ++m)
+      if ((points[m] - points[n]).squaredNorm() < edge * edge) near.push_back(int(m));
+    std::sort(found.begin(), found.end());
+    if (found != near) FAIL_CHECK("near point " << n << ": " << found.size() << " found of " << near.size());
+    pairs += int(near.size()) - 1;
+  }
+  CHECK(pairs > 3000);
 }
