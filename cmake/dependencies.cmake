@@ -21,6 +21,13 @@ add_library(nlopt_cxx INTERFACE)
 target_include_directories(nlopt_cxx SYSTEM INTERFACE ${NLOPT_INCLUDE_DIR})
 target_link_libraries(nlopt_cxx INTERFACE ${NLOPT_CXX_LIBRARY})
 
+# By file: Debian's package has no CMake files.
+find_path(FFTW3_INCLUDE_DIR fftw3.h REQUIRED)
+find_library(FFTW3F_LIBRARY fftw3f REQUIRED)  # of single precision
+add_library(fftw3 INTERFACE)
+target_include_directories(fftw3 SYSTEM INTERFACE ${FFTW3_INCLUDE_DIR})
+target_link_libraries(fftw3 INTERFACE ${FFTW3F_LIBRARY})
+
 # Optional ones: AUTO takes what is there, ON insists, OFF does without.
 set(ICEBOW_CAD AUTO CACHE STRING "STEP and IGES files through OpenCASCADE: AUTO, ON or OFF")
 set_property(CACHE ICEBOW_CAD PROPERTY STRINGS AUTO ON OFF)

@@ -14,9 +14,11 @@ namespace {
 double rate_at_edge(const Scenario& s) {
   constexpr double left_over = 0.1;
   const PlateOnWater plate = plate_on_water(s.ice.E, s.ice.nu, s.ice.h, s.water.rho);
-  const double mass = s.ice.rho * s.ice.h + s.water.rho * s.water.added_mass;
-  // Group velocity of D k^4 + rho_w g = m omega^2 at k = 1/l.
-  const double speed = characteristic_length(plate) * std::sqrt(2.0 * plate.foundation / mass);
+  const double length = characteristic_length(plate),
+               depth = s.water.inertia == WaterInertia::plane ? length : s.water.added_mass;
+  // Group velocity of D k^4 + rho_w g = m omega^2 at k = 1/l, the mass m taken as that wave's for all.
+  const double mass = s.ice.rho * s.ice.h + s.water.rho * depth;
+  const double speed = length * std::sqrt(2.0 * plate.foundation / mass);
   return 3.0 * std::log(1.0 / left_over) * speed / s.sheet.absorbing;
 }
 

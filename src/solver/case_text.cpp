@@ -93,6 +93,7 @@ std::string case_text(const QuadMesh& hull, const Scenario& s, const RunOptions&
   if (s.sheet.half_model) text.add("sheet.half_model", true);
   if (options.seed != 0) text.add("seed", options.seed);
   if (s.water.added_mass > 0.0) text.add("water.added_mass", s.water.added_mass);
+  if (s.water.inertia != WaterInertia::layer) text.add("water.inertia", static_cast<int>(s.water.inertia));
   if (s.water.drag > 0.0) text.add("water.drag", s.water.drag);
   if (s.sheet.absorbing > 0.0) text.add("sheet.absorbing", s.sheet.absorbing);
   if (s.numerics.floe_contact) text.add("numerics.floe_contact", true);

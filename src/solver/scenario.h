@@ -18,9 +18,15 @@ struct IceMaterial {
   double crushing_pressure = 0.0;  //!< of the ice against the hull, crushing rule only [Pa]
 };
 
+enum class WaterInertia {
+  layer,  // of a layer of water that goes with each column, Water::added_mass
+  plane   // of all water under the sheet; for ice that has left the sheet's plane, the layer's
+};
+
 struct Water {
   double rho = 1000.0;               //!< density [kg/m^3]
   bool buoyancy_and_gravity = true;  // false: as in the paper, an ice sheet held by its fixed edges alone
+  WaterInertia inertia = WaterInertia::layer;
   // Of ice that accelerates across its plane: so deep a layer of water goes with each of its columns; 0 =
   // none [m]
   double added_mass = 0.0;

@@ -78,7 +78,7 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
       no_impulse_(impulse_),
       ledger_(EnergyModel(s, lattice, material_, dt)),
-      surroundings_(comm, s, material_, ledger_.model()),
+      surroundings_(comm, s, lattice, material_, ledger_.model()),
       schedule_(comm, sheet_, timer_) {
   drift_.dt = dt;
   drift_.gravity = s.water.buoyancy_and_gravity ? gravity : 0.0;

@@ -4,9 +4,9 @@
 
 namespace icebow {
 
-SurroundingForces::SurroundingForces(const Communicator& comm, const Scenario& s, const Material& material,
-                                     const EnergyModel& model)
-    : water_(s, s.numerics.dx, model),
+SurroundingForces::SurroundingForces(const Communicator& comm, const Scenario& s, const Lattice& lattice,
+                                     const Material& material, const EnergyModel& model)
+    : water_(comm, s, lattice, model),
       floes_(comm, s, material, model),
       edges_(s, model),
       steps_per_sample_(sampling_steps(s.ice.h, model.dt)) {}

@@ -19,8 +19,8 @@ struct SurroundingsCounts {
 
 class SurroundingForces {
  public:
-  SurroundingForces(const Communicator& comm, const Scenario& scenario, const Material& material,
-                    const EnergyModel& model);
+  SurroundingForces(const Communicator& comm, const Scenario& scenario, const Lattice& lattice,
+                    const Material& material, const EnergyModel& model);
   bool act() const { return water_.acts() || floes_.acts() || edges_.acts(); }
 
   // Collective. Adds to the accelerations of the bonds after so many steps, in the last of which the hull

@@ -9,99 +9,18 @@ namespace {
 
 // Beyond this part of its thickness a column is longer or shorter than any ice that still is a plate.
 constexpr double crushed = 0.3;
+// Ice that has moved by so many thicknesses is part of the plane; by one more, no longer.
+constexpr double in_plane = 0.5;
 
 // A face is wet once it is a spacing below the water; in between by its share, so that nothing jumps.
-template <class Real>
-Real wet(Real depth_over_dx) {
-  return std::min(std::max(depth_over_dx, Real(0)), Real(1));
+double wet(double depth_over_dx) {
+  return std::clamp(depth_over_dx, 0.0, 1.0);
 }
 
-// A rank's particles of one column, by their address in the fields: the layers are `layer` apart.
-template <class Real>
-struct Columns {
-  Real* acceleration[3];
-  const Real* u[3];
-  Real* v[3];
-  std::ptrdiff_t layer;
-  int nz;
-  Real z0, dx;
-};
-
-template <class Real>
-struct Reaction {
-  Real added_mass, drag, mass, gravity, lift, dt;
-};
-
-// A column as a piece of plate.
-template <class Real>
-struct Plate {
-  Real n[3];        // normal; not of unit length where the column is crushed
-  Real added_mass;  //!< [kg]; 0 where it is crushed, as the drag
-  Real drag;        //!< [kg/m]
-};
-
-template <class Real>
-Plate<Real> plate_of(const Columns<Real>& c, const Reaction<Real>& w, std::ptrdiff_t p) {
-  const std::ptrdiff_t top = p + (c.nz - 1) * c.layer;
-  const Real height = Real(c.nz - 1) * c.dx, inverse_dx = Real(1) / c.dx;
-  Plate<Real> plate{
-      {c.u[0][top] - c.u[0][p], c.u[1][top] - c.u[1][p], c.u[2][top] - c.u[2][p] + height}, 0, 0};
-  Real* const n = plate.n;
-  if (c.nz == 1) n[2] = Real(1);
-  const Real length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (c.nz > 1 && std::abs(length - height) > Real(crushed) * height) return plate;
-  for (int i = 0; i < 3; ++i) n[i] /= length;
-  const Real face = Real(0.5) * c.dx * std::abs(n[2]), z_first = c.z0 + c.u[2][p],
-             z_last = c.z0 + height + c.u[2][top];
-  const Real low = wet((face - std::min(z_first, z_last)) * inverse_dx),
-             high = wet((-face - std::max(z_first, z_last)) * inverse_dx);
-  plate.added_mass = w.added_mass * low;
-  plate.drag = Real(0.5) * (low + high) * w.drag;
-  return plate;
+// Cells about as wide as the sheet is thick: blocks of particles are whole cells.
+int columns_per_cell(int layers) {
+  return layers < 3 ? 2 : 4;
 }
-
-template <class Real>
-Real mean_along(const Columns<Real>& c, const Plate<Real>& plate, Real* const (&field)[3], std::ptrdiff_t p) {
-  Real sum = 0;
-  for (int k = 0; k < c.nz; ++k) {
-    for (int i = 0; i < 3; ++i) sum += plate.n[i] * field[i][p + k * c.layer];
-  }
-  return sum / Real(c.nz);
-}
-
-// Energy given to the water by column p in a step [J]. `struck`: what the hull changed the velocities of its
-// particles by, all together.
-template <class Real>
-Real react(const Columns<Real>& c, const Reaction<Real>& w, std::ptrdiff_t p, const Vec3& struck) {
-  const Plate<Real> plate = plate_of(c, w, p);
-  if (plate.added_mass == 0 && plate.drag == 0) return 0;
-  Real vertical = 0, strike = 0;
-  for (int k = 0; k < c.nz; ++k) {
-    const Real z = c.z0 + Real(k) * c.dx + c.u[2][p + k * c.layer];
-    vertical += w.lift * wet(Real(0.5) - z / c.dx) - w.gravity;
-  }
-  for (int i = 0; i < 3; ++i) strike += plate.n[i] * static_cast<Real>(struck[i]);
-  const Real share = Real(1) / Real(c.nz), M = w.mass * Real(c.nz), m = plate.added_mass;
-  const Real v = mean_along(c, plate, c.v, p);
-  const Real a = mean_along(c, plate, c.acceleration, p) + share * plate.n[2] * vertical;
-  // (M + m) a' = M (a + strike / dt) - drag, eq. (41); the strike itself has been.
-  const Real drag = plate.drag * std::abs(v) * v;
-  const Real change = -(m * (a + share * strike / w.dt) + drag) / (M + m);
-  for (int k = 0; k < c.nz; ++k) {
-    for (int i = 0; i < 3; ++i) c.acceleration[i][p + k * c.layer] += change * plate.n[i];
-  }
-  return -M * change * (v + Real(0.5) * w.dt * (a + change)) * w.dt;
-}
-
-}  // namespace
-
-WaterReaction::WaterReaction(const Scenario& s, double dx, const EnergyModel& model)
-    : model_(model),
-      added_mass_(s.water.rho * s.water.added_mass * dx * dx),
-      drag_(0.5 * s.water.rho * s.water.drag * dx * dx),
-      dx_(dx) {}
-
-namespace {
 
 // Of the columns the hull has struck, by address of their lowest particle.
 std::map<std::ptrdiff_t, Vec3> by_column(const std::vector<HullStrike>& strikes, const Layout& layout) {
@@ -114,41 +33,159 @@ std::map<std::ptrdiff_t, Vec3> by_column(const std::vector<HullStrike>& strikes,
   return columns;
 }
 
+// Sums that are the same on any number of ranks: whole multiples of a quantum.
+std::int64_t whole(double value, double quantum) {
+  constexpr double most = 1e15;
+  return std::isnan(value) ? 0 : std::llround(std::clamp(value / quantum, -most, most));
+}
+
 }  // namespace
 
+WaterReaction::WaterReaction(const Communicator& comm, const Scenario& s, const Lattice& lattice,
+                             const EnergyModel& model)
+    : comm_(comm),
+      model_(model),
+      added_mass_(s.water.rho * s.water.added_mass * model.dx * model.dx),
+      drag_(0.5 * s.water.rho * s.water.drag * model.dx * model.dx),
+      thickness_(s.ice.h) {
+  if (s.water.inertia != WaterInertia::plane) return;
+  cell_ = columns_per_cell(lattice.nz);
+  WaterGrid grid;
+  grid.nx = lattice.blocks() * (block / cell_);
+  grid.ny = cells_across_ = (lattice.ny + cell_ - 1) / cell_;
+  grid.cell = cell_ * lattice.dx;
+  grid.mirrored = lattice.half;
+  grid.density = s.water.rho;
+  most_mobile_ = 1.0 / (cell_ * cell_ * model.mass * lattice.nz);
+  plane_ = std::make_unique<WaterPlane>(grid, most_mobile_);
+}
+
+// The column as a plate, and what it does without the plane.
 template <class Real>
-std::int64_t WaterReaction::apply_to(IceSheet& sheet, const std::vector<HullStrike>& strikes) const {
-  const Layout& layout = sheet.layout;
-  const auto real = [](double value) { return static_cast<Real>(value); };
-  Columns<Real> columns{{}, {}, {}, layout.stride, layout.nz, real(sheet.lattice.z0), real(dx_)};
+void WaterReaction::react(const IceSheet& sheet, Column& column, const Vec3& struck) const {
+  const int nz = sheet.layout.nz;
+  const std::ptrdiff_t layer = sheet.layout.stride, p = column.p, top = p + (nz - 1) * layer;
+  const Real *u[3], *v[3], *a[3];
   for (int c = 0; c < 3; ++c) {
-    columns.acceleration[c] = sheet.acceleration[c].data<Real>();
-    columns.u[c] = sheet.u[c].data<Real>();
-    columns.v[c] = sheet.v[c].data<Real>();
+    u[c] = sheet.u[c].data<Real>();
+    v[c] = sheet.v[c].data<Real>();
+    a[c] = sheet.acceleration[c].data<Real>();
   }
-  const Reaction<Real> water{real(added_mass_),    real(drag_),       real(model_.mass),
-                             real(model_.gravity), real(model_.lift), real(model_.dt)};
+  const double height = (nz - 1) * model_.dx, z0 = sheet.lattice.z0;
+  double* const n = column.n;
+  double moved = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    n[c] = double(u[c][top]) - u[c][p];
+    moved += 0.25 * (double(u[c][top]) + u[c][p]) * (double(u[c][top]) + u[c][p]);
+  }
+  n[2] += nz == 1 ? 1.0 : height;
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  column.mass = 0.0;
+  if (nz > 1 && std::abs(length - height) > crushed * height) return;
+  for (int c = 0; c < 3; ++c) n[c] /= length;
+  const double face = 0.5 * model_.dx * std::abs(n[2]), z_first = z0 + u[2][p],
+               z_last = z0 + height + u[2][top];
+  const double low = wet((face - std::min(z_first, z_last)) * model_.inverse_dx),
+               high = wet((-face - std::max(z_first, z_last)) * model_.inverse_dx);
+  if (plane_)
+    column.share = low * n[2] * n[2] * std::clamp(1.0 + in_plane - std::sqrt(moved) / thickness_, 0.0, 1.0);
+  const double m = added_mass_ * low * (1.0 - column.share), coefficient = 0.5 * (low + high) * drag_;
+  if (m == 0.0 && coefficient == 0.0 && column.share == 0.0) return;
+  double speed = 0.0, acceleration = 0.0, strike = 0.0;
+  for (int k = 0; k < nz; ++k) {
+    const std::ptrdiff_t q = p + k * layer;
+    for (int c = 0; c < 3; ++c) {
+      speed += n[c] * v[c][q];
+      acceleration += n[c] * a[c][q];
+    }
+    acceleration += n[2] * model_.weight_and_lift(z0 + k * model_.dx + u[2][q]);
+  }
+  for (int c = 0; c < 3; ++c) strike += n[c] * struck[c];
+  const double M = model_.mass * nz;
+  column.v = speed / nz;
+  column.a = acceleration / nz;
+  column.mass = M + m;
+  // (M + m) a' = M (a + strike / dt) - drag, eq. (41); the strike itself has been.
+  strike /= nz * model_.dt;
+  const double drag = coefficient * std::abs(column.v) * column.v;
+  column.change = -(m * (column.a + strike) + drag) / column.mass;
+  column.reached = column.a + strike + column.change;
+}
+
+template <class Real>
+void WaterReaction::find_columns(const IceSheet& sheet, const std::vector<HullStrike>& strikes) {
+  const Layout& layout = sheet.layout;
   const std::map<std::ptrdiff_t, Vec3> struck = by_column(strikes, layout);
-  auto next = struck.begin();
   const Vec3 not_struck = Vec3::Zero();
-  std::int64_t taken = 0;
+  auto next = struck.begin();
+  columns_.clear();
   for (int jl = 0; jl < layout.columns; ++jl) {
     const auto row = static_cast<std::ptrdiff_t>(layout.row(jl, 0));
-    for (int b = 0; b < layout.blocks; ++b) {
-      double joules = 0.0;
-      for (int l = b * block; l < (b + 1) * block; ++l) {
-        if (!sheet.mobile(jl, l)) continue;
-        const bool hit = next != struck.end() && next->first == row + l;
-        joules += react(columns, water, row + l, hit ? next->second : not_struck);
-        if (hit) ++next;
-      }
-      taken += model_.quanta(joules);
+    for (int l = 0; l < layout.blocks * block; ++l) {
+      if (!sheet.mobile(jl, l)) continue;
+      const bool hit = next != struck.end() && next->first == row + l;
+      Column column{};
+      column.p = row + l;
+      column.block = jl * layout.blocks + l / block;
+      column.cell = (layout.i0 + l) / cell_ * cells_across_ + (layout.j0 + jl) / cell_;
+      react<Real>(sheet, column, hit ? next->second : not_struck);
+      if (hit) ++next;
+      if (column.mass > 0.0) columns_.push_back(column);
     }
+  }
+}
+
+// A cell's acceleration is the mean over its columns, by their shares; its force is theirs by the same.
+void WaterReaction::resist_plane() {
+  constexpr double acceleration_quantum = 1.0 / (1 << 30), mobility_quantum = 1.0 / (1 << 30);
+  const double columns = cell_ * cell_;
+  const std::size_t cells = plane_->cells();
+  std::vector<std::int64_t> sums(2 * cells, 0);
+  for (const Column& c : columns_) {
+    sums[c.cell] += whole(c.share * c.reached / columns, acceleration_quantum);
+    sums[cells + c.cell] +=
+        whole(c.share * c.share / (columns * columns * c.mass * most_mobile_), mobility_quantum);
+  }
+  comm_.sum(sums.data(), static_cast<int>(sums.size()));
+  std::vector<double> acceleration(cells), mobilities(cells);
+  for (std::size_t n = 0; n < cells; ++n) {
+    acceleration[n] = sums[n] * acceleration_quantum;
+    mobilities[n] = sums[cells + n] * mobility_quantum * most_mobile_;
+  }
+  const std::vector<double> force = plane_->resistance(acceleration, mobilities);
+  for (Column& c : columns_) c.change -= c.share * force[c.cell] / (columns * c.mass);
+}
+
+template <class Real>
+std::int64_t WaterReaction::push(IceSheet& sheet) const {
+  const std::ptrdiff_t layer = sheet.layout.stride;
+  const int nz = sheet.layout.nz;
+  const double M = model_.mass * nz, dt = model_.dt;
+  Real* acceleration[3];
+  for (int c = 0; c < 3; ++c) acceleration[c] = sheet.acceleration[c].data<Real>();
+  std::int64_t taken = 0;
+  double joules = 0.0;
+  for (std::size_t n = 0; n < columns_.size(); ++n) {
+    const Column& c = columns_[n];
+    for (int k = 0; k < nz; ++k) {
+      for (int i = 0; i < 3; ++i) acceleration[i][c.p + k * layer] += static_cast<Real>(c.change * c.n[i]);
+    }
+    joules -= M * c.change * (c.v + 0.5 * dt * (c.a + c.change)) * dt;
+    if (n + 1 < columns_.size() && columns_[n + 1].block == c.block) continue;
+    taken += model_.quanta(joules);
+    joules = 0.0;
   }
   return taken;
 }
 
-std::int64_t WaterReaction::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) const {
+template <class Real>
+std::int64_t WaterReaction::apply_to(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
+  find_columns<Real>(sheet, strikes);
+  if (plane_) resist_plane();
+  return push<Real>(sheet);
+}
+
+std::int64_t WaterReaction::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
   return sheet.precision == Precision::fp64 ? apply_to<double>(sheet, strikes)
                                             : apply_to<float>(sheet, strikes);
 }

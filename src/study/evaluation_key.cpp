@@ -11,7 +11,7 @@ namespace icebow {
 namespace {
 
 // Raise it when the same case would give another result: a changed model, a corrected error.
-constexpr int result_version = 5;
+constexpr int result_version = 6;
 
 // A field added to a case but not to its key would hand out results of another case: the sizes notice. Left
 // out on purpose: numerics.ranks_along_x, because results do not depend on the ranks, bow.angles_at,
@@ -143,6 +143,7 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   if (c.seed != 0) text.add("seed", static_cast<double>(c.seed));
   if (c.sheet.half_model) text.add("sheet.half_model", c.sheet.half_model);
   if (c.water.added_mass > 0.0) text.add("water.added_mass", c.water.added_mass);
+  if (c.water.inertia != WaterInertia::layer) text.add("water.inertia", c.water.inertia);
   if (c.water.drag > 0.0) text.add("water.drag", c.water.drag);
   if (c.sheet.absorbing > 0.0) text.add("sheet.absorbing", c.sheet.absorbing);
   if (c.numerics.floe_contact) text.add("numerics.floe_contact", true);

@@ -254,8 +254,9 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
     c.bow = read_bow(s.bow);
   }
   read_ice(s.ice, c);
-  c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity"), s.water.number("added_mass"),
-             s.water.number("drag")};
+  c.water = {s.water.number("density"), s.water.boolean("buoyancy_and_gravity"),
+             s.water.text("inertia", "layer") == "plane" ? WaterInertia::plane : WaterInertia::layer,
+             s.water.number("added_mass"), s.water.number("drag")};
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
   read_contact(s.solver, s.ice, c);

@@ -69,7 +69,8 @@ const std::vector<Key> table = {
 
   {"water", "density", Quantity::density, 900, 1100, false, 1025, "1025 kg/m3", "density of the water", {}},
   {"water", "buoyancy_and_gravity", Quantity::boolean, 0, 0, false, 1, "true", "the sheet floats; false: it is held by its fixed edges alone, as in the paper", {}},
-  {"water", "added_mass", Quantity::length, 0, 100, false, 0, "0", "depth of the layer of water that goes with ice accelerating across its plane (docs/theory.md); 0 = none", {}},
+  {"water", "inertia", Quantity::choice, 0, 0, false, none, "layer", "water that ice accelerating across its plane moves with it: a layer of added_mass under each column; or, under ice that lies in the sheet's plane, all of it (docs/theory.md)", {"layer", "plane"}},
+  {"water", "added_mass", Quantity::length, 0, 100, false, 0, "0", "depth of the layer of water that goes with ice accelerating across its plane, with inertia plane with what has left that; 0 = none", {}},
   {"water", "drag", Quantity::number, 0, 10, false, 0, "0", "drag coefficient of a plate of ice that moves across its plane under water, 1.2 for a square plate; 0 = none", {}},
 
   {"sheet", "length", Quantity::length, 0.05, 20000, false, none, "advance + bow_length + B", "extent of the sheet along the course", {}},
