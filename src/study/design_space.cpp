@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "study/evaluate.h"
+#include "study/model_notes.h"
 #include "study/repeats.h"
 #include "study/sampling.h"
 #include "study/sha256.h"
@@ -92,6 +93,7 @@ class Plan {
 
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
+  if (spec.use_peridynamics) plan.plan.notes = model_notes(spec.baseline);
   if (spec.include_baseline) plan.add(planned(spec, "baseline", spec.document));
   for (const NamedDesign& named : spec.designs) {
     Json document = spec.document;

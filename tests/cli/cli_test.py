@@ -58,6 +58,15 @@ class Check(ProgramTest):
         self.assertEqual((nx * ny * nz, nz), (particles, 2))
         self.assertRegex(text, r"\d+ steps of [\d.e-]+ s")
 
+    def test_what_is_known_of_a_model_is_said(self):
+        plain = self.expect(0, "check", TINY).stdout
+        self.assertNotIn("note:", plain)
+        notes = self.expect(0, "check", TINY, "--set", "/ice/model=calibrated").stdout
+        self.assertIn("solver.floe_contact", notes)
+        self.assertIn("solver.layers 3 or more", notes)
+        whole = self.expect(0, "check", STUDIES / "calibrated_ice.json").stdout
+        self.assertNotIn("note:", whole)
+
     def test_the_shipped_studies_have_no_mistakes(self):
         for study in sorted(STUDIES.glob("*.json")):
             with self.subTest(study.name):
