@@ -191,32 +191,46 @@ TEST_CASE("water goes with ice across its plane, whichever way that has turned, 
   CHECK(floe.mean(floe.ice.sheet.acceleration, 2) == Approx(pull.z()).epsilon(1e-4));
 }
 
-// Two halves of a block, cut apart, that run into each other at 0.2 m/s.
-TEST_CASE("floes that meet stop each other and give nothing away but their motion") {
-  if (test_world().size() > 1) return;
+namespace {
+
+// Two halves of a block, with no bond between the first 16 columns and the rest.
+Scenario two_floes() {
   Scenario s = floe_scenario();
   s.sheet.length = 0.64;
   s.water.buoyancy_and_gravity = false;
   s.numerics.floe_contact = true;
   s.ice.crushing_pressure = 120e3;
-  Afloat floes(s, step_s);
-  const double gap = 0.004, speed = 0.1;
-  BondBits& bits = floes.ice.sheet.bits;
-  for (int jl = -reach; jl < floes.ice.sheet.layout.columns; ++jl) {
-    for (int k = 0; k < 2; ++k) {
-      floes.ice.sheet.state(jl, k)[0] = floes.ice.sheet.state(jl, k)[1] = touched;
-      for (int b = 0; b < 2; ++b) {
-        for (int n = 0; n < floes.ice.sheet.stencil.slots(k); ++n) {
-          const Offset& o = floes.ice.sheet.stencil.half[k][n];
+  return s;
+}
+
+void cut_apart(IceSheet& sheet) {
+  for (int jl = -reach; jl < sheet.layout.columns; ++jl) {
+    for (int k = 0; k < sheet.layout.nz; ++k) {
+      for (int b = 0; b < sheet.layout.blocks; ++b) {
+        sheet.state(jl, k)[b] = touched;
+        for (int n = 0; n < sheet.stencil.slots(k); ++n) {
+          const Offset& o = sheet.stencil.half[k][n];
           for (int l = 0; l < block; ++l) {
             const int i = b * block + l;
             if ((i < block) != (i + o.di < block))
-              (bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block())[n] &= std::uint16_t(~(1u << l));
+              (sheet.bits.row(jl, k) + std::ptrdiff_t(b) * sheet.bits.per_block())[n] &=
+                  std::uint16_t(~(1u << l));
           }
         }
       }
     }
   }
+}
+
+}  // namespace
+
+// That run into each other at 0.2 m/s.
+TEST_CASE("floes that meet stop each other and give nothing away but their motion") {
+  if (test_world().size() > 1) return;
+  const Scenario s = two_floes();
+  Afloat floes(s, step_s);
+  const double gap = 0.004, speed = 0.1;
+  cut_apart(floes.ice.sheet);
   floes.ice.for_each([&](int i, int, int, std::size_t p) {
     floes.ice.sheet.u[0][p] = i < block ? 0.0 : gap;
     floes.ice.sheet.v[0][p] = i < block ? speed : -speed;
