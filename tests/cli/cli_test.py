@@ -64,6 +64,8 @@ class Check(ProgramTest):
         notes = self.expect(0, "check", TINY, "--set", "/ice/model=calibrated").stdout
         self.assertIn("solver.floe_contact", notes)
         self.assertIn("solver.layers 3 or more", notes)
+        near = self.expect(0, "check", STUDIES / "calibrated_ice.json", "--set", "/sheet/window_ahead_m=8").stdout
+        self.assertRegex(near, "note: sheet.window_ahead_m is 8 m, .* 10.5")
         whole = self.expect(0, "check", STUDIES / "calibrated_ice.json").stdout
         self.assertNotIn("note:", whole)
 
