@@ -13,7 +13,7 @@ constexpr double crushed = 0.3;
 constexpr double in_plane = 0.5;
 
 // A face is wet once it is a spacing below the water; in between by its share, so that nothing jumps.
-double wet(double depth_over_dx) {
+double wet_share(double depth_over_dx) {
   return std::clamp(depth_over_dx, 0.0, 1.0);
 }
 
@@ -60,55 +60,57 @@ WaterReaction::WaterReaction(const Communicator& comm, const Scenario& s, const 
   plane_ = std::make_unique<WaterPlane>(grid, most_mobile_);
 }
 
-// The column as a plate, and what it does without the plane.
+// What the column is as a piece of plate: its normal, its share in the water's plane, its wet faces. False
+// where it is crushed.
+template <class Real>
+bool WaterReaction::plate(const IceSheet& sheet, Column& column, Wet& wet) const {
+  const int nz = sheet.layout.nz;
+  const std::ptrdiff_t first = column.p, last = first + (nz - 1) * sheet.layout.stride;
+  const double height = (nz - 1) * model_.dx;
+  Vec3 low, high;
+  for (int c = 0; c < 3; ++c) {
+    low[c] = sheet.u[c].data<Real>()[first];
+    high[c] = sheet.u[c].data<Real>()[last];
+  }
+  Vec3 normal = high - low;
+  normal.z() += nz == 1 ? 1.0 : height;
+  const double length = normal.norm();
+  if (nz > 1 && std::abs(length - height) > crushed * height) return false;
+  column.n = normal / length;
+  const double face = 0.5 * model_.dx * std::abs(column.n.z()), z0 = sheet.lattice.z0, z_first = z0 + low.z(),
+               z_last = z0 + height + high.z();
+  wet.low = wet_share((face - std::min(z_first, z_last)) * model_.inverse_dx);
+  wet.high = wet_share((-face - std::max(z_first, z_last)) * model_.inverse_dx);
+  if (plane_) {
+    const double moved = 0.5 * (low + high).norm() / thickness_;
+    column.share = wet.low * column.n.z() * column.n.z() * std::clamp(1.0 + in_plane - moved, 0.0, 1.0);
+  }
+  return true;
+}
+
+// What it does without the plane: (M + m) a' = M (a + strike / dt) - drag, eq. (41); the strike itself has
+// been.
 template <class Real>
 void WaterReaction::react(const IceSheet& sheet, Column& column, const Vec3& struck) const {
+  Wet wet;
+  if (!plate<Real>(sheet, column, wet)) return;
+  const double m = added_mass_ * wet.low * (1.0 - column.share), drag = 0.5 * (wet.low + wet.high) * drag_;
+  if (m == 0.0 && drag == 0.0 && column.share == 0.0) return;
   const int nz = sheet.layout.nz;
-  const std::ptrdiff_t layer = sheet.layout.stride, p = column.p, top = p + (nz - 1) * layer;
-  const Real *u[3], *v[3], *a[3];
-  for (int c = 0; c < 3; ++c) {
-    u[c] = sheet.u[c].data<Real>();
-    v[c] = sheet.v[c].data<Real>();
-    a[c] = sheet.acceleration[c].data<Real>();
-  }
-  const double height = (nz - 1) * model_.dx, z0 = sheet.lattice.z0;
-  double* const n = column.n;
-  double moved = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    n[c] = double(u[c][top]) - u[c][p];
-    moved += 0.25 * (double(u[c][top]) + u[c][p]) * (double(u[c][top]) + u[c][p]);
-  }
-  n[2] += nz == 1 ? 1.0 : height;
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  column.mass = 0.0;
-  if (nz > 1 && std::abs(length - height) > crushed * height) return;
-  for (int c = 0; c < 3; ++c) n[c] /= length;
-  const double face = 0.5 * model_.dx * std::abs(n[2]), z_first = z0 + u[2][p],
-               z_last = z0 + height + u[2][top];
-  const double low = wet((face - std::min(z_first, z_last)) * model_.inverse_dx),
-               high = wet((-face - std::max(z_first, z_last)) * model_.inverse_dx);
-  if (plane_)
-    column.share = low * n[2] * n[2] * std::clamp(1.0 + in_plane - std::sqrt(moved) / thickness_, 0.0, 1.0);
-  const double m = added_mass_ * low * (1.0 - column.share), coefficient = 0.5 * (low + high) * drag_;
-  if (m == 0.0 && coefficient == 0.0 && column.share == 0.0) return;
-  double speed = 0.0, acceleration = 0.0, strike = 0.0;
+  Vec3 speed = Vec3::Zero(), acceleration = Vec3::Zero();
   for (int k = 0; k < nz; ++k) {
-    const std::ptrdiff_t q = p + k * layer;
+    const std::ptrdiff_t q = column.p + k * sheet.layout.stride;
     for (int c = 0; c < 3; ++c) {
-      speed += n[c] * v[c][q];
-      acceleration += n[c] * a[c][q];
+      speed[c] += sheet.v[c].data<Real>()[q];
+      acceleration[c] += sheet.acceleration[c].data<Real>()[q];
     }
-    acceleration += n[2] * model_.weight_and_lift(z0 + k * model_.dx + u[2][q]);
+    acceleration.z() += model_.weight_and_lift(sheet.lattice.z(k) + sheet.u[2].data<Real>()[q]);
   }
-  for (int c = 0; c < 3; ++c) strike += n[c] * struck[c];
-  const double M = model_.mass * nz;
-  column.v = speed / nz;
-  column.a = acceleration / nz;
-  column.mass = M + m;
-  // (M + m) a' = M (a + strike / dt) - drag, eq. (41); the strike itself has been.
-  strike /= nz * model_.dt;
-  const double drag = coefficient * std::abs(column.v) * column.v;
-  column.change = -(m * (column.a + strike) + drag) / column.mass;
+  const double strike = column.n.dot(struck) / (nz * model_.dt);
+  column.v = column.n.dot(speed) / nz;
+  column.a = column.n.dot(acceleration) / nz;
+  column.mass = model_.mass * nz + m;
+  column.change = -(m * (column.a + strike) + drag * std::abs(column.v) * column.v) / column.mass;
   column.reached = column.a + strike + column.change;
 }
 
@@ -123,13 +125,13 @@ void WaterReaction::find_columns(const IceSheet& sheet, const std::vector<HullSt
     const auto row = static_cast<std::ptrdiff_t>(layout.row(jl, 0));
     for (int l = 0; l < layout.blocks * block; ++l) {
       if (!sheet.mobile(jl, l)) continue;
+      while (next != struck.end() && next->first < row + l) ++next;
       const bool hit = next != struck.end() && next->first == row + l;
-      Column column{};
+      Column column;
       column.p = row + l;
       column.block = jl * layout.blocks + l / block;
       column.cell = (layout.i0 + l) / cell_ * cells_across_ + (layout.j0 + jl) / cell_;
       react<Real>(sheet, column, hit ? next->second : not_struck);
-      if (hit) ++next;
       if (column.mass > 0.0) columns_.push_back(column);
     }
   }

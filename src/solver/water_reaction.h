@@ -36,18 +36,23 @@ class WaterReaction {
   struct Column {
     std::ptrdiff_t p;  // its lowest particle in the fields
     int block, cell;   // of this rank's blocks; of the water's plane
-    double n[3];
-    double mass;     //!< with its own added mass [kg]
-    double share;    // that lies in the plane
-    double v, a;     //!< mean velocity [m/s]; acceleration of all forces but the water's [m/s^2]
-    double reached;  //!< acceleration with the strike, own added mass and drag [m/s^2]
-    double change;   //!< what the water has added to it [m/s^2]
+    Vec3 n;
+    double mass = 0.0;   //!< with its own added mass [kg]; 0 where the water does nothing
+    double share = 0.0;  // that lies in the plane
+    double v, a;         //!< mean velocity [m/s]; acceleration of all forces but the water's [m/s^2]
+    double reached;      //!< acceleration with the strike, own added mass and drag [m/s^2]
+    double change;       //!< what the water has added to it [m/s^2]
+  };
+  struct Wet {  // shares of the lower and the higher face
+    double low, high;
   };
 
   template <class Real>
   std::int64_t apply_to(IceSheet& sheet, const std::vector<HullStrike>& strikes);
   template <class Real>
   void find_columns(const IceSheet& sheet, const std::vector<HullStrike>& strikes);
+  template <class Real>
+  bool plate(const IceSheet& sheet, Column& column, Wet& wet) const;
   template <class Real>
   void react(const IceSheet& sheet, Column& column, const Vec3& struck) const;
   void resist_plane();
