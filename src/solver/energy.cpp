@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "solver/exact_sum.h"
 
 namespace icebow {
 namespace {
@@ -84,10 +85,7 @@ EnergyModel::EnergyModel(const Scenario& s, const Lattice& lattice, const Materi
       quantum(std::ldexp(mass * (s.V * s.V + icebow::gravity * s.ice.h), -32)) {}
 
 std::int64_t EnergyModel::quanta(double joules) const {
-  constexpr double most = 1e13;
-  const double count = joules / quantum;
-  if (!(std::abs(count) < most)) return static_cast<std::int64_t>(count < 0.0 ? -most : most);
-  return std::llround(count);
+  return whole_multiples(joules, quantum);
 }
 
 double EnergyModel::weight_and_lift(double z) const {

@@ -25,7 +25,7 @@ struct EnergyModel {
   double V;               //!< ship speed [m/s]
   double quantum;         //!< of the sums: 2^-32 m (V^2 + g h) [J]
 
-  std::int64_t quanta(double joules) const;  // rounded; at most 1e13, so that no sum overflows
+  std::int64_t quanta(double joules) const;  // whole_multiples() of the quantum
   // Vertical acceleration by weight and lift of a particle at height z above the water, eq. (15).
   double weight_and_lift(double z) const;
   // Work against weight and lift to bring a particle from the water level to height z [J], eq. (21).

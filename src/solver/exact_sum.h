@@ -11,6 +11,14 @@
 
 namespace icebow {
 
+// Rounded; at most 1e13, so that no sum overflows: a value that is no number counts as that.
+inline std::int64_t whole_multiples(double value, double quantum) {
+  constexpr double most = 1e13;
+  const double count = value / quantum;
+  if (!(std::abs(count) < most)) return static_cast<std::int64_t>(count < 0.0 ? -most : most);
+  return std::llround(count);
+}
+
 // Impulse and angular impulse of the ice on the hull over one sampling interval.
 class ExactImpulse {
  public:

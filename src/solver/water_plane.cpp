@@ -119,7 +119,6 @@ WaterPlane::WaterPlane(const WaterGrid& grid, double mobility)
 }
 
 WaterPlane::~WaterPlane() = default;
-WaterPlane::WaterPlane(WaterPlane&&) noexcept = default;
 
 // With H the forces of accelerations and B the roots of the mobilities, the force P = H (a - B^2 P) is that
 // of the accelerations B y, (1 + B H B) y = a / B: conjugate gradients, prepared by the solution for a plane

@@ -25,7 +25,6 @@ class WaterPlane {
   // `mobility` [1/kg] is the most that a cell will have.
   WaterPlane(const WaterGrid& grid, double mobility);
   ~WaterPlane();
-  WaterPlane(WaterPlane&&) noexcept;
 
   // Upward acceleration of each cell without the force that is asked for, and by how much a downward force of
   // 1 N lowers it (0: nothing moves the cell, its acceleration must be 0). Returns the force with which the

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "solver/exact_sum.h"
+
 namespace icebow {
 namespace {
 
@@ -31,12 +33,6 @@ std::map<std::ptrdiff_t, Vec3> by_column(const std::vector<HullStrike>& strikes,
     columns.try_emplace(column, Vec3::Zero()).first->second += strike.delta_v;
   }
   return columns;
-}
-
-// Sums that are the same on any number of ranks: whole multiples of a quantum.
-std::int64_t whole(double value, double quantum) {
-  constexpr double most = 1e15;
-  return std::isnan(value) ? 0 : std::llround(std::clamp(value / quantum, -most, most));
 }
 
 }  // namespace
@@ -144,9 +140,9 @@ void WaterReaction::resist_plane() {
   const std::size_t cells = plane_->cells();
   std::vector<std::int64_t> sums(2 * cells, 0);
   for (const Column& c : columns_) {
-    sums[c.cell] += whole(c.share * c.reached / columns, acceleration_quantum);
+    sums[c.cell] += whole_multiples(c.share * c.reached / columns, acceleration_quantum);
     sums[cells + c.cell] +=
-        whole(c.share * c.share / (columns * columns * c.mass * most_mobile_), mobility_quantum);
+        whole_multiples(c.share * c.share / (columns * columns * c.mass * most_mobile_), mobility_quantum);
   }
   comm_.sum(sums.data(), static_cast<int>(sums.size()));
   std::vector<double> acceleration(cells), mobilities(cells);

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double rho_w = 1000.0;
 
-double total(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return sum;
-}
-
 // Accelerations given: cells that no force moves.
 std::vector<double> force_of(WaterPlane& plane, std::vector<double> acceleration) {
   // A force as small as 1e-9 of what they have without it.
@@ -83,8 +77,7 @@ TEST_CASE(
   }
   WaterPlane whole({nx, 2 * ny, cell, false, rho_w}, most), half({nx, ny, cell, true, rho_w}, most);
   const std::vector<double> force = whole.resistance(whole_a, whole_beta), by_half = half.resistance(a, beta);
-  CHECK(whole.iterations() < 30);
-  // H (a - beta P) = P, cell by cell, with H from its own definition.
+  CHECK(whole.iterations() < 20);  // 5 are found
   double worst = 0.0, largest = 0.0, mirrored = 0.0;
   for (int i = 0; i < nx; ++i) {
     for (int j = 0; j < 2 * ny; ++j) {
@@ -107,7 +100,7 @@ TEST_CASE(
       if (j >= ny) mirrored = std::max(mirrored, std::abs(own - by_half[i * ny + j - ny]));
     }
   }
+  REQUIRE(largest > 0.0);
   CHECK(worst < 0.02 * largest);  // of the sum over 24 x 24 points in the cell itself
   CHECK(mirrored < 1e-4 * largest);
-  CHECK(total(force) != 0.0);
 }
