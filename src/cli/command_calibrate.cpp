@@ -26,8 +26,7 @@ struct InSitu {
 
 // Tests of the sheet as it floats.
 struct Afloat {
-  double plate_modulus;          // [Pa]
-  double characteristic_length;  // with it [m]
+  double characteristic_length;  // with the plate's modulus [m]
   std::optional<InSitu> in_situ;
 };
 
@@ -36,6 +35,7 @@ struct Comparison {
   Case description;
   Scenario simulated;  // at the scale that is simulated
   Properties requested, measured;
+  double beam_modulus;  // of the held beam [Pa]
   Afloat afloat;
   int beam_breaks, prism_breaks;
   double seconds;
@@ -43,11 +43,11 @@ struct Comparison {
   double lambda;      // that scale / simulated scale
 };
 
-Afloat test_afloat(const Scenario& s, double lambda, bool in_situ) {
+Afloat test_afloat(const Scenario& s, double modulus, double lambda, bool in_situ) {
   const auto pascals = [&](double value) { return to_full_scale(value, lambda, scaling::stress); };
-  const double modulus = virtual_plate_test(s), h = std::lround(s.ice.h / s.numerics.dx) * s.numerics.dx,
+  const double h = std::lround(s.ice.h / s.numerics.dx) * s.numerics.dx,
                ell = characteristic_length(plate_on_water(modulus, s.ice.nu, h, s.water.rho));
-  Afloat found = {pascals(modulus), to_full_scale(ell, lambda, scaling::length), {}};
+  Afloat found = {to_full_scale(ell, lambda, scaling::length), {}};
   if (in_situ) {
     found.in_situ =
         InSitu{pascals(virtual_in_situ_test(s, Push::up).flexural_strength),
@@ -63,6 +63,7 @@ Comparison compare(const ChosenDesign& chosen, bool in_situ) {
   c.simulated = simulated_scenario(Communicator::serial(), c.description);
   c.scale = chosen.design.document.at("ice").value("scale", "full");
   c.lambda = c.scale == "model" ? 1.0 : c.description.lambda;
+  const double modulus = virtual_plate_test(c.simulated);
   const BeamTest beam = virtual_beam_test(c.simulated);
   const CompressionTest prism = virtual_compression_test(c.simulated);
   const auto from_full = [&](double pascals) {
@@ -71,9 +72,10 @@ Comparison compare(const ChosenDesign& chosen, bool in_situ) {
   const auto from_model = [&](double pascals) { return to_full_scale(pascals, c.lambda, scaling::stress); };
   c.requested = {from_full(c.description.ice.E), from_full(c.description.flexural_strength),
                  from_full(c.description.compressive_strength)};
-  c.measured = {from_model(beam.elastic_modulus), from_model(beam.flexural_strength),
+  c.measured = {from_model(modulus), from_model(beam.flexural_strength),
                 from_model(prism.compressive_strength)};
-  c.afloat = test_afloat(c.simulated, c.lambda, in_situ);
+  c.beam_modulus = from_model(beam.elastic_modulus);
+  c.afloat = test_afloat(c.simulated, modulus, c.lambda, in_situ);
   c.beam_breaks = beam.breaks;
   c.prism_breaks = prism.breaks;
   c.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -123,8 +125,8 @@ double spacing(const Comparison& c) {
 
 double buoyancy(const Comparison& c) {
   const Scenario& s = c.simulated;
-  return buoyancy_share(to_model_scale(c.measured.elastic_modulus, c.lambda, scaling::stress),
-                        layers(c) * s.numerics.dx, s.water.rho);
+  return buoyancy_share(to_model_scale(c.beam_modulus, c.lambda, scaling::stress), layers(c) * s.numerics.dx,
+                        s.water.rho);
 }
 
 const char* model_name(const Comparison& c) {
@@ -140,7 +142,7 @@ Json properties_json(const Properties& p) {
 
 Json measured_json(const Comparison& c) {
   Json json = properties_json(c.measured);
-  json["plate_deflection_modulus_Pa"] = c.afloat.plate_modulus;
+  json["held_beam_modulus_Pa"] = c.beam_modulus;
   json["characteristic_length_m"] = c.afloat.characteristic_length;
   if (const auto& in_situ = c.afloat.in_situ) {
     json["in_situ_flexural_strength_up_Pa"] = in_situ->strength_up;
@@ -177,7 +179,7 @@ std::string for_people(const Comparison& c, const std::string& design) {
       row("elastic modulus", r.elastic_modulus, m.elastic_modulus),
       row("flexural strength", r.flexural_strength, m.flexural_strength),
       row("compressive strength", r.compressive_strength, m.compressive_strength),
-      row("modulus, plate afloat", r.elastic_modulus, c.afloat.plate_modulus)};
+      row("modulus, held beam", r.elastic_modulus, c.beam_modulus)};
   if (const auto& in_situ = c.afloat.in_situ) {
     rows.push_back(row("strength in situ, up", r.flexural_strength, in_situ->strength_up));
     rows.push_back(row("strength in situ, down", r.flexural_strength, in_situ->strength_down));
@@ -192,11 +194,10 @@ std::string for_people(const Comparison& c, const std::string& design) {
   if (c.simulated.ice.crushing_pressure > 0.0)
     text += ", crushing pressure " + brief(input_crushing_pressure(c) / 1e3) + " kPa";
   text += "\n";
-  text += "virtual tests: cantilever 7 h x 2 h, " + std::to_string(c.beam_breaks) +
+  text += "virtual tests: plate afloat under a load; cantilever 7 h x 2 h, " + std::to_string(c.beam_breaks) +
           " breaks; prism 4 h x 2 h, " + std::to_string(c.prism_breaks) + " breaks; " +
           decimals(c.seconds, 1) + " s\n";
-  text += "Characteristic length of the sheet, from the plate's deflection: " +
-          brief(c.afloat.characteristic_length) + " m.\n";
+  text += "Characteristic length of the sheet: " + brief(c.afloat.characteristic_length) + " m.\n";
   text += "The beam is dry; in water it would be stiffer by " + decimals(100.0 * buoyancy(c), 1) + " %.\n";
   if (c.afloat.in_situ)
     text +=

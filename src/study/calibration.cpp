@@ -28,10 +28,11 @@ double to_six_digits(double value) {
 LatticeNumbers measured(Scenario s) {
   s.ice.tensile_strength = 1e-3 * s.ice.E;  // any: strengths are in proportion to it
   s.ice.crushing_pressure = 0.0;
+  const double modulus = virtual_plate_test(s);
   const BeamTest beam = virtual_beam_test(s);
   const CompressionTest prism = virtual_compression_test(s);
   const double stress = s.ice.tensile_strength;
-  return {to_six_digits(beam.elastic_modulus / s.ice.E), to_six_digits(beam.flexural_strength / stress),
+  return {to_six_digits(modulus / s.ice.E), to_six_digits(beam.flexural_strength / stress),
           to_six_digits(prism.compressive_strength / stress)};
 }
 

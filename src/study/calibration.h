@@ -15,12 +15,12 @@
 namespace icebow {
 
 // Raise it when the same lattice would give other numbers.
-constexpr int virtual_tests_version = 2;
+constexpr int virtual_tests_version = 3;
 
 // What the tests of a lattice measure, over the input of its bonds.
 struct LatticeNumbers {
-  double modulus = 0.0;      // measured modulus / E
-  double flexural = 0.0;     // flexural strength / tensile strength
+  double modulus = 0.0;      // that of the plate's deflection / E
+  double flexural = 0.0;     // the held beam's flexural strength / tensile strength
   double compressive = 0.0;  // at which the ice itself, not its surface, fails / tensile strength
 };
 

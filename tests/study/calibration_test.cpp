@@ -45,7 +45,7 @@ TEST_CASE("calibrated ice measures as it was asked to") {
       found.ice = calibrated_ice(s.ice, strength, numbers);
       const BeamTest beam = virtual_beam_test(found);
       INFO(layers << " layers, " << strength << " Pa: found E " << found.ice.E << " Pa, s0 " << found.ice.s0);
-      CHECK(beam.elastic_modulus == Approx(s.ice.E).epsilon(0.03));
+      CHECK(virtual_plate_test(found) == Approx(s.ice.E).epsilon(0.03));
       CHECK(beam.flexural_strength == Approx(strength).epsilon(0.03));
       CHECK(found.ice.E > s.ice.E);  // few layers bend too easily
       if (layers > 3 || strength != 35e3) continue;
