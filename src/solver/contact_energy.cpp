@@ -18,7 +18,7 @@ void ContactLedger::struck(std::size_t p, double z, const Vec3& v_before, const 
 std::vector<HullStrike> ContactLedger::strikes() const {
   std::vector<HullStrike> all;
   for (const Touch& touch : before_) {
-    if (touch.struck) all.push_back({touch.p, touch.delta_v});
+    if (touch.struck) all.push_back({touch.p, touch.delta_v, touch.push});
   }
   return all;
 }

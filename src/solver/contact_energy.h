@@ -14,10 +14,11 @@ struct ContactCounts {
   std::int64_t gain = 0;  // of the ice: the rest is lost to friction, inelastic impact and moving particles
 };
 
-// What the hull did to the velocity of a particle, by its place in the fields.
+// What the hull did to a particle, by its place in the fields.
 struct HullStrike {
   std::size_t p;
   Vec3 delta_v;  //!< [m/s]
+  Vec3 push;     //!< of a relocation [m]
 };
 
 // The strikes of one step wait for the accelerations after it. The work of a relocation also needs the
@@ -33,6 +34,8 @@ class ContactLedger {
   void close_step(const IceSheet& sheet);
   // Of the step closed last, by place.
   std::vector<HullStrike> strikes() const;
+  // What its relocations did against forces that came after the step was closed.
+  void add_work(std::int64_t quanta) { counts_.gain += quanta; }
 
   // The last step's particles next to the hull, five numbers each: number in the lattice, reference height,
   // acceleration. And back, from all ranks' lists in any order: a rank takes its own.

@@ -15,6 +15,13 @@ constexpr double softness = 0.01;
 // contacts within the lattice's time step.
 constexpr double damping_share = 0.25;
 
+// How far the hull has moved a particle.
+Vec3 push_at(std::size_t p, const std::vector<HullStrike>& strikes) {
+  const auto at = std::lower_bound(strikes.begin(), strikes.end(), p,
+                                   [](const HullStrike& s, std::size_t place) { return s.p < place; });
+  return at != strikes.end() && at->p == p ? at->push : Vec3(Vec3::Zero());
+}
+
 }  // namespace
 
 Vec3 FloeContactLaw::force(const Vec3& away, const Vec3& velocity) const {
@@ -48,9 +55,9 @@ void FloeContact::find_pairs(const IceSheet& sheet) {
   if (acts_) pairs_.find(sheet);
 }
 
-std::int64_t FloeContact::apply(IceSheet& sheet) {
+FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
   pairs_.refresh(sheet);
-  std::int64_t taken = 0;
+  FloeWork work;
   for (const ContactPairs::Of& of : pairs_.all()) {
     const ContactPairs::Particle& own = pairs_.particle(of.particle);
     Vec3 force = Vec3::Zero();
@@ -67,9 +74,11 @@ std::int64_t FloeContact::apply(IceSheet& sheet) {
     }
     acceleration.z() += model_.weight_and_lift(own.position.z());
     const Vec3 mean_velocity = own.velocity + 0.5 * model_.dt * acceleration;
-    taken -= model_.quanta(force.dot(mean_velocity) * model_.dt);
+    const std::int64_t by_hull = -model_.quanta(force.dot(push_at(of.address, strikes)));
+    work.by_hull += by_hull;
+    work.taken += by_hull - model_.quanta(force.dot(mean_velocity) * model_.dt);
   }
-  return taken;
+  return work;
 }
 
 }  // namespace icebow

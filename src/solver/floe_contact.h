@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/communicator.h"
+#include "solver/contact_energy.h"
 #include "solver/contact_pairs.h"
 #include "solver/energy.h"
 #include "solver/scenario.h"
@@ -31,6 +33,12 @@ struct FloeContactLaw {
 };
 FloeContactLaw floe_contact_law(const Scenario& scenario, const Material& material);
 
+// In quanta of the energy model.
+struct FloeWork {
+  std::int64_t taken = 0;    // from the ice, what the contacts store and give back included
+  std::int64_t by_hull = 0;  // given to it by the hull's relocations against contacts
+};
+
 class FloeContact {
  public:
   FloeContact(const Communicator& comm, const Scenario& scenario, const Material& material,
@@ -39,9 +47,9 @@ class FloeContact {
 
   // Both collective.
   void find_pairs(const IceSheet& sheet);
-  // Adds to the accelerations of this rank's ice, which must hold the bonds' part; returns the energy taken,
-  // in quanta: what the contacts store and give back included.
-  std::int64_t apply(IceSheet& sheet);
+  // Adds to the accelerations of this rank's ice, which must hold the bonds' part and which the hull has
+  // struck (by place).
+  FloeWork apply(IceSheet& sheet, const std::vector<HullStrike>& strikes);
 
  private:
   bool acts_;

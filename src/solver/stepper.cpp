@@ -107,7 +107,7 @@ void Stepper::step() {
   ledger_.close_step(sheet_);
   timer_.lap(Phase::energy);
   if (!surroundings_.act()) return;
-  surroundings_.apply(sheet_, steps_, ledger_.strikes());
+  ledger_.add_work(surroundings_.apply(sheet_, steps_, ledger_.strikes()));
   timer_.lap(Phase::surroundings);
 }
 

@@ -24,8 +24,8 @@ class SurroundingForces {
   bool act() const { return water_.acts() || floes_.acts() || edges_.acts(); }
 
   // Collective. Adds to the accelerations of the bonds after so many steps, in the last of which the hull
-  // struck the ice.
-  void apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes);
+  // struck the ice. Returns the work of its relocations against other ice, in quanta.
+  std::int64_t apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes);
   // Collective. Where the ice has been renumbered, or a run goes on that has been interrupted.
   void renumbered(const IceSheet& sheet) { floes_.find_pairs(sheet); }
 

@@ -267,6 +267,33 @@ TEST_CASE("floes that meet stop each other and give nothing away but their motio
   CHECK(taken == Approx(e0 - e1).epsilon(0.15));
 }
 
+// Two floes that overlap by a tenth of a spacing, the facing column of one just moved by the hull.
+TEST_CASE("moving ice against other ice is the hull's work, and taken from the ice") {
+  if (test_world().size() > 1) return;
+  const Scenario s = two_floes();
+  Afloat floes(s, step_s);
+  IceSheet& sheet = floes.ice.sheet;
+  cut_apart(sheet);
+  const Vec3 push(1e-4, 2e-4, 0.0);
+  std::vector<HullStrike> strikes;
+  floes.ice.for_each([&](int i, int, int, std::size_t p) {
+    sheet.u[0][p] = i < block ? 0.0 : -0.1 * s.numerics.dx;
+    if (i == block - 1) strikes.push_back({p, Vec3::Zero(), push});
+  });
+  std::sort(strikes.begin(), strikes.end(), [](const auto& a, const auto& b) { return a.p < b.p; });
+  const auto taken = [&](const std::vector<HullStrike>& by_hull) {
+    floes.ice.accelerate();
+    const std::int64_t before = floes.forces.counts().floes, work = floes.forces.apply(sheet, 0, by_hull);
+    return std::pair(double(floes.forces.counts().floes - before), double(work));
+  };
+  const auto [unmoved, nothing] = taken({});
+  const auto [moved, work] = taken(strikes);
+  const double force = 0.01 * s.ice.E * s.numerics.dx * 0.1 * s.numerics.dx;
+  CHECK(nothing == 0.0);
+  CHECK(work * floes.model.quantum == Approx(double(strikes.size()) * force * push.x()).epsilon(0.01));
+  CHECK(moved - unmoved == work);
+}
+
 namespace {
 
 // Weak ice that breaks into floes in water, in a window that moves.
