@@ -12,7 +12,7 @@ extern const char* const resolution_table;  // resolution_table.cpp.in
 namespace {
 
 const char* const file = "studies/convergence/bias.json";
-const char* const ice_models[] = {"paper", "calibrated"};
+const char* const strengths[] = {"toughness", "stretch", "calibrated"};         // as GivenStrength
 const char* const contacts[] = {"relocation", "paper", "penalty", "crushing"};  // as ContactRule
 
 template <std::size_t n>
@@ -35,7 +35,16 @@ double number_in(const Json& entry, const char* key, double lowest, double highe
                                                ", allowed " + brief(lowest) + " to " + brief(highest)}});
 }
 
+std::string percent(double share) {
+  return std::to_string(std::lround(100.0 * std::abs(share)));
+}
+
 }  // namespace
+
+GivenStrength given_strength(const Case& c) {
+  if (c.ice_model == IceModel::calibrated) return GivenStrength::calibrated;
+  return c.ice.s0 > 0.0 ? GivenStrength::stretch : GivenStrength::toughness;
+}
 
 std::vector<ResolutionBias> parse_bias_table(const Json& table) {
   if (!table.is_object() || table.value("format", 0) != 1 || !table.contains("entries") ||
@@ -47,7 +56,7 @@ std::vector<ResolutionBias> parse_bias_table(const Json& table) {
     if (!entry.is_object()) throw InputError(file, {{at, "must be an object"}});
     ResolutionBias bias;
     bias.layers = static_cast<int>(number_in(entry, "layers", 1, 50, at));
-    bias.ice_model = static_cast<IceModel>(index_of(ice_models, entry, "ice_model", at));
+    bias.strength = static_cast<GivenStrength>(index_of(strengths, entry, "strength", at));
     bias.contact = static_cast<ContactRule>(index_of(contacts, entry, "contact", at));
     bias.relative = number_in(entry, "load_over_limit", 0.01, 100, at) - 1.0;
     bias.ci95 = number_in(entry, "ci95", 0.0, 100, at);
@@ -63,21 +72,22 @@ const std::vector<ResolutionBias>& bias_table() {
 
 Json resolution_bias_json(const Case& c, const std::vector<ResolutionBias>& table) {
   const int layers = static_cast<int>(std::lround(c.ice.h / c.numerics.dx));
+  const GivenStrength strength = given_strength(c);
   for (const ResolutionBias& bias : table) {
-    if (bias.layers != layers || bias.ice_model != c.ice_model || bias.contact != c.numerics.contact)
-      continue;
+    if (bias.layers != layers || bias.strength != strength || bias.contact != c.numerics.contact) continue;
     return {{"known", true},
             {"relative", bias.relative},
             {"ci95", bias.ci95},
             {"sentence", "resolution bias: loads of " + std::to_string(layers) + " layers are " +
-                             brief(100.0 * bias.relative) + " % above the limit of fine lattices, \u00b1 " +
-                             brief(100.0 * bias.ci95) + " % (95 %)"}};
+                             percent(bias.relative) + " % " + (bias.relative < 0.0 ? "below" : "above") +
+                             " the limit of fine lattices, \u00b1 " + percent(bias.ci95) +
+                             " % (95 %; of the published conventional bow)"}};
   }
   return {{"known", false},
           {"relative", nullptr},
           {"ci95", nullptr},
           {"sentence", "resolution bias: not known for this spacing (" + std::to_string(layers) +
-                           " layers, ice model " + ice_models[static_cast<int>(c.ice_model)] + ", contact " +
+                           " layers, strength by " + strengths[static_cast<int>(strength)] + ", contact " +
                            contacts[static_cast<int>(c.numerics.contact)] + ")"}};
 }
 

@@ -10,15 +10,19 @@
 
 namespace icebow {
 
+// What is the same in all lattices: ice of one toughness is the stronger, the finer its lattice is.
+enum class GivenStrength { toughness, stretch, calibrated };
+GivenStrength given_strength(const Case& c);
+
 struct ResolutionBias {
   int layers = 0;
-  IceModel ice_model = IceModel::paper;
+  GivenStrength strength = GivenStrength::toughness;
   ContactRule contact = ContactRule::relocation;
   double relative = 0.0;  // load / extrapolated limit - 1
   double ci95 = 0.0;      // half width of its 95 % interval
 };
 
-// The table compiled in: studies/convergence/bias.json, {"format": 1, "entries": [{"layers", "ice_model",
+// The table compiled in: studies/convergence/bias.json, {"format": 1, "entries": [{"layers", "strength",
 // "contact", "load_over_limit", "ci95"}]}, written by studies/convergence/extrapolate.py. Throws InputError
 // for a table of another form.
 std::vector<ResolutionBias> parse_bias_table(const Json& table);

@@ -19,9 +19,12 @@ TABLE = pathlib.Path(__file__).resolve().parent / "bias.json"
 
 
 def read_runs(directory):
-    """{(ice model, contact): {layers: [(mean, standard error), ...]}} of the runs that are ok."""
+    """(strength, contact) of the study and {layers: [(mean, standard error), ...]} of the runs that are ok."""
     study = json.loads((directory / "study.json").read_text())
-    model = (study.get("ice", {}).get("model", "paper"), study.get("solver", {}).get("contact", "relocation"))
+    ice = study.get("ice", {})
+    calibrated = ice.get("model") == "calibrated"
+    strength = "calibrated" if calibrated else "stretch" if ice.get("critical_stretch") else "toughness"
+    model = (strength, study.get("solver", {}).get("contact", "crushing" if calibrated else "relocation"))
     runs = {}
     for file in sorted(directory.glob("designs/*/result.json")):
         if "~" in file.parent.name:
@@ -77,14 +80,14 @@ def entries_of(model, runs):
         ratio = mean / limit
         ci95 = ratio * math.hypot(1.96 * error / mean, half / limit)
         print(f"{layers} layers: {mean:.2f} +- {1.96 * error:.2f} N, {ratio:.3f} +- {ci95:.3f} of the limit")
-        entries.append({"layers": layers, "ice_model": model[0], "contact": model[1],
+        entries.append({"layers": layers, "strength": model[0], "contact": model[1],
                         "load_over_limit": round(ratio, 4), "ci95": round(ci95, 4)})
     return entries
 
 
 def write_table(path, entries):
     table = json.loads(path.read_text())
-    key = lambda e: (e["ice_model"], e["contact"], e["layers"])
+    key = lambda e: (e["strength"], e["contact"], e["layers"])
     kept = {key(e): e for e in table["entries"]}
     kept.update({key(e): e for e in entries})
     table["entries"] = [kept[k] for k in sorted(kept)]

@@ -52,7 +52,7 @@ class Extrapolate(unittest.TestCase):
     def test_the_table_is_written_and_added_to(self):
         write_study(self.directory, lambda n: 10.0 + 6.0 / n)
         table = self.directory / "bias.json"
-        other = {"layers": 3, "ice_model": "paper", "contact": "relocation", "load_over_limit": 1.5, "ci95": 0.1}
+        other = {"layers": 3, "strength": "toughness", "contact": "relocation", "load_over_limit": 1.5, "ci95": 0.1}
         table.write_text(json.dumps({"format": 1, "entries": [other]}))
         subprocess.run([sys.executable, SCRIPT, self.directory, "--write", "--table", table], check=True,
                        capture_output=True)

@@ -160,12 +160,19 @@ TEST_CASE("a ranking warns of differences below the intervals and below the reso
   CHECK(rank_designs({run("a", 100, 9), run("b", 105, 9)}, "lindqvist_breaking").warnings.empty());
 }
 
-TEST_CASE("the resolution bias is that of the case's layers, ice model and contact rule") {
+TEST_CASE("the resolution bias is that of the case's layers, strength and contact rule") {
   const std::vector<ResolutionBias> table = parse_bias_table(Json::parse(
-      R"({"format": 1, "entries": [{"layers": 3, "ice_model": "paper", "contact": "relocation",
-          "load_over_limit": 1.2, "ci95": 0.05}]})"));
+      R"({"format": 1, "entries": [{"layers": 3, "strength": "toughness", "contact": "relocation",
+          "load_over_limit": 0.8, "ci95": 0.05}]})"));
   Case c = fake_study().baseline;  // three layers
-  CHECK(resolution_bias_json(c, table)["relative"] == Approx(0.2));
+  c.ice.s0 = 0.0;
+  const Json known = resolution_bias_json(c, table);
+  CHECK(known["relative"] == Approx(-0.2));
+  CHECK(known["sentence"].get<std::string>().find("20 % below the limit of fine lattices, \u00b1 5 %") !=
+        std::string::npos);
+  Case by_stretch = c;
+  by_stretch.ice.s0 = 0.005;
+  CHECK(resolution_bias_json(by_stretch, table)["known"] == false);
   c.numerics.contact = ContactRule::penalty;
   const Json unknown = resolution_bias_json(c, table);
   CHECK(unknown["known"] == false);
@@ -185,6 +192,6 @@ TEST_CASE("a table of the resolution bias that makes no sense is refused by plac
   };
   CHECK(trouble("{}").find("entries") != std::string::npos);
   CHECK(trouble(R"([{"layers": 0}])").find("/entries/0/layers") != std::string::npos);
-  CHECK(trouble(R"([{"layers": 3, "ice_model": "soft"}])").find("must be one of paper, calibrated") !=
-        std::string::npos);
+  CHECK(trouble(R"([{"layers": 3, "strength": "soft"}])")
+            .find("must be one of toughness, stretch, calibrated") != std::string::npos);
 }
