@@ -35,6 +35,14 @@ double number_in(const Json& entry, const char* key, double lowest, double highe
                                                ", allowed " + brief(lowest) + " to " + brief(highest)}});
 }
 
+// Loads of 2 to 4 layers go with the sheet's flexural strength (docs/validation.md, "Seeds, resolution").
+const char* without_limit(GivenStrength strength) {
+  return strength == GivenStrength::toughness
+             ? "; ice of one toughness is the stronger, the finer its lattice is, and so is its load: there "
+               "is no limit to compare it with. Give the ice by its strengths"
+             : "";
+}
+
 std::string percent(double share) {
   return std::to_string(std::lround(100.0 * std::abs(share)));
 }
@@ -88,7 +96,7 @@ Json resolution_bias_json(const Case& c, const std::vector<ResolutionBias>& tabl
           {"ci95", nullptr},
           {"sentence", "resolution bias: not known for this spacing (" + std::to_string(layers) +
                            " layers, strength by " + strengths[static_cast<int>(strength)] + ", contact " +
-                           contacts[static_cast<int>(c.numerics.contact)] + ")"}};
+                           contacts[static_cast<int>(c.numerics.contact)] + ")" + without_limit(strength)}};
 }
 
 }  // namespace icebow

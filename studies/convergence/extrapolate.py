@@ -103,6 +103,8 @@ def main():
     model, runs = read_runs(arguments.directory)
     if len(runs) < 3:
         sys.exit(f"{arguments.directory}: runs of {len(runs)} different numbers of layers are ok; a fit takes 3")
+    if model[0] == "toughness":
+        sys.exit("ice of one toughness is the stronger, the finer its lattice is: its load has no limit. Give critical_stretch, or calibrated ice")
     entries = entries_of(model, runs)
     if arguments.write:
         write_table(arguments.table, entries)

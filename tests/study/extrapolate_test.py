@@ -15,8 +15,8 @@ extrapolate = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(extrapolate)
 
 
-def write_study(directory, load_of, layers=(2, 3, 4, 5), repeats=3, ci95=0.4):
-    (directory / "study.json").write_text(json.dumps({"ice": {}, "solver": {"contact": "penalty"}}))
+def write_study(directory, load_of, layers=(2, 3, 4, 5), repeats=3, ci95=0.4, ice=None):
+    (directory / "study.json").write_text(json.dumps({"ice": ice or {"critical_stretch": 0.005}, "solver": {"contact": "penalty"}}))
     for n in layers:
         for repeat in range(repeats):
             folder = directory / "designs" / f"d{n:03d}#{repeat + 1}"
@@ -62,6 +62,12 @@ class Extrapolate(unittest.TestCase):
         penalty = {e["layers"]: e["load_over_limit"] for e in entries if e["contact"] == "penalty"}
         self.assertGreater(penalty[2], penalty[5])
         self.assertGreater(penalty[5], 1.0)
+
+    def test_ice_that_has_no_limit_is_refused(self):
+        write_study(self.directory, lambda n: 10.0, ice={"fracture_toughness_MPa_sqrt_m": 7.5})
+        run = subprocess.run([sys.executable, SCRIPT, self.directory], capture_output=True, text=True)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("no limit", run.stderr)
 
     def test_two_lattices_are_refused(self):
         write_study(self.directory, lambda n: 10.0, layers=(2, 3))
