@@ -12,7 +12,7 @@ extern const char* const resolution_table;  // resolution_table.cpp.in
 namespace {
 
 const char* const file = "studies/convergence/bias.json";
-const char* const strengths[] = {"toughness", "stretch", "calibrated"};         // as GivenStrength
+const char* const strengths[] = {"toughness", "stretch", "calibration"};        // as GivenStrength
 const char* const contacts[] = {"relocation", "paper", "penalty", "crushing"};  // as ContactRule
 
 template <std::size_t n>
@@ -50,7 +50,7 @@ std::string percent(double share) {
 }  // namespace
 
 GivenStrength given_strength(const Case& c) {
-  if (c.ice_model == IceModel::calibrated) return GivenStrength::calibrated;
+  if (c.ice_model == IceModel::calibrated) return GivenStrength::calibration;
   return c.ice.s0 > 0.0 ? GivenStrength::stretch : GivenStrength::toughness;
 }
 

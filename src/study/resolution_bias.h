@@ -11,7 +11,7 @@
 namespace icebow {
 
 // What is the same in all lattices: ice of one toughness is the stronger, the finer its lattice is.
-enum class GivenStrength { toughness, stretch, calibrated };
+enum class GivenStrength { toughness, stretch, calibration };
 GivenStrength given_strength(const Case& c);
 
 struct ResolutionBias {

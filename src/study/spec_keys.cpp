@@ -78,7 +78,7 @@ const std::vector<Key> table = {
   {"sheet", "window_ahead", Quantity::length, 0.05, 20000, false, none, "no window", "the sheet is a window of this length that moves with the ship: fresh ice is laid so that this much lies ahead of the stem, the channel is dropped astern", {}},
   {"sheet", "fixed_edges", Quantity::choice, 0, 0, false, none, "sides", "edges held fast: none, port and starboard, or the edge ahead as well", {"none", "sides", "sides_and_far"}},
   {"sheet", "absorbing", Quantity::length, 0, 20000, false, 0, "0", "the ice is damped within this distance of the side edges and the edge ahead, so that waves that run out to them do not come back; one characteristic length is usual; 0 = not", {}},
-  {"sheet", "half_model", Quantity::boolean, 0, 0, false, 0, "false", "simulate the port half and take starboard for its mirror image, for half the work: both sides break at once, so the mean is as good, its scatter and peaks are a third higher (docs/validation.md), and no load sways or turns the ship", {}},
+  {"sheet", "half_model", Quantity::boolean, 0, 0, false, 0, "false", "simulate the port half and take starboard for its mirror image, for half the work: both sides break at once, so the mean is as good, its scatter and peaks up to a third higher (docs/validation.md), and no load sways or turns the ship", {}},
 
   {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
   {"operation", "advance", Quantity::length, 0.001, 20000, false, none, "2.75 B", "distance sailed from first touch to the end of the run", {}},

@@ -23,7 +23,7 @@ def read_runs(directory):
     study = json.loads((directory / "study.json").read_text())
     ice = study.get("ice", {})
     calibrated = ice.get("model") == "calibrated"
-    strength = "calibrated" if calibrated else "stretch" if ice.get("critical_stretch") else "toughness"
+    strength = "calibration" if calibrated else "stretch" if ice.get("critical_stretch") else "toughness"
     model = (strength, study.get("solver", {}).get("contact", "crushing" if calibrated else "relocation"))
     runs = {}
     for file in sorted(directory.glob("designs/*/result.json")):

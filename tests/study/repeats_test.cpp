@@ -197,5 +197,5 @@ TEST_CASE("a table of the resolution bias that makes no sense is refused by plac
   CHECK(trouble("{}").find("entries") != std::string::npos);
   CHECK(trouble(R"([{"layers": 0}])").find("/entries/0/layers") != std::string::npos);
   CHECK(trouble(R"([{"layers": 3, "strength": "soft"}])")
-            .find("must be one of toughness, stretch, calibrated") != std::string::npos);
+            .find("must be one of toughness, stretch, calibration") != std::string::npos);
 }
