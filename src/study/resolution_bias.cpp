@@ -37,10 +37,10 @@ double number_in(const Json& entry, const char* key, double lowest, double highe
 
 // Loads of 2 to 4 layers go with the sheet's flexural strength (docs/validation.md, "Seeds, resolution").
 const char* without_limit(GivenStrength strength) {
-  return strength == GivenStrength::toughness
-             ? "; ice of one toughness is the stronger, the finer its lattice is, and so is its load: there "
-               "is no limit to compare it with. Give the ice by its strengths"
-             : "";
+  return strength == GivenStrength::toughness ? "; ice of one toughness gets stronger as the lattice gets "
+                                                "finer, and its load higher, without a limit "
+                                                "seen so far: compare at one number of layers"
+                                              : "";
 }
 
 std::string percent(double share) {

@@ -178,9 +178,9 @@ TEST_CASE("the resolution bias is that of the case's layers, strength and contac
   CHECK(unknown["known"] == false);
   CHECK(unknown["sentence"].get<std::string>().find("not known for this spacing (3 layers") !=
         std::string::npos);
-  CHECK(unknown["sentence"].get<std::string>().find("no limit") != std::string::npos);
+  CHECK(unknown["sentence"].get<std::string>().find("without a limit") != std::string::npos);
   by_stretch.numerics.contact = ContactRule::penalty;
-  CHECK(resolution_bias_json(by_stretch, table)["sentence"].get<std::string>().find("no limit") ==
+  CHECK(resolution_bias_json(by_stretch, table)["sentence"].get<std::string>().find("without a limit") ==
         std::string::npos);
   CHECK_NOTHROW(bias_table());
 }
