@@ -1,17 +1,20 @@
 #include "hullgen/mesh_import.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "base/errors.h"
 #include "hullgen/mesh_io.h"
+#include "hullgen/ply_file.h"
 #include "hullgen/text.h"
 
 namespace icebow {
@@ -21,24 +24,56 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Corners = std::vector<int>;
 
+constexpr std::size_t stl_head = 84, stl_triangle = 50;  // bytes of a binary STL file
+
+// A binary STL file that announces more triangles than it has bytes for. The other kind begins with "solid".
+void check_stl_size(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  char head[stl_head] = {};
+  in.read(head, stl_head);
+  if (static_cast<std::size_t>(in.gcount()) < stl_head || std::string(head, 5) == "solid") return;
+  std::uint32_t count = 0;
+  std::memcpy(&count, head + 80, sizeof count);
+  const std::uint64_t there = (std::filesystem::file_size(path) - stl_head) / stl_triangle;
+  if (count > there)
+    throw InputError(
+        text("%s: its header announces %u triangles, but the file has bytes for %llu: it is cut "
+             "off or damaged, export it again",
+             path.c_str(), count, static_cast<unsigned long long>(there)));
+}
+
 // By CGAL; it says of a file it cannot read only that it could not.
-PolygonMesh read_soup(const std::string& path) {
+PolygonMesh read_stl(const std::string& path) {
+  check_stl_size(path);
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  if (!CGAL::IO::read_polygon_soup(path, points, polygons) || polygons.empty())
+  std::vector<std::vector<std::size_t>> triangles;
+  if (!CGAL::IO::read_STL(path, points, triangles) || triangles.empty())
     throw InputError(path + ": is not a mesh that can be read: export it again as STL, PLY or OBJ");
-  for (const auto& polygon : polygons)
-    for (const std::size_t corner : polygon)
-      if (corner >= points.size())
-        throw InputError(
-            text("%s: a panel names the point %zu, but there are %zu, counted from 0: export it again",
-                 path.c_str(), corner, points.size()));
-  PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
   PolygonMesh mesh;
   for (const Point& p : points) mesh.points.push_back(Vec3(p.x(), p.y(), p.z()));
-  for (const auto& p : polygons) mesh.polygons.emplace_back(p.begin(), p.end());
+  for (const auto& t : triangles) mesh.polygons.emplace_back(t.begin(), t.end());
   mesh.patch.assign(mesh.polygons.size(), Patch::other);
   return mesh;
+}
+
+void check_points(const PolygonMesh& mesh, const std::string& path) {
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    if (!mesh.points[k].allFinite())
+      throw InputError(text("%s: point %zu has a coordinate that is not a finite number: export it again",
+                            path.c_str(), k + 1));
+}
+
+// Points that are the same to the last bit become one.
+PolygonMesh merged(const PolygonMesh& mesh, const std::string& path) {
+  check_points(mesh, path);  // such a point is equal to none, itself included
+  std::vector<Point> points;
+  for (const Vec3& p : mesh.points) points.emplace_back(p.x(), p.y(), p.z());
+  PolygonMesh result;
+  result.polygons = mesh.polygons;
+  result.patch = mesh.patch;
+  PMP::merge_duplicate_points_in_polygon_soup(points, result.polygons);
+  for (const Point& p : points) result.points.push_back(Vec3(p.x(), p.y(), p.z()));
+  return result;
 }
 
 // A polygon in triangles, by a Delaunay triangulation of its shadow on its mean plane; none where it has no
@@ -69,10 +104,6 @@ void add_panel(QuadMesh& mesh, const Corners& c, Patch patch) {
 QuadMesh of_quads(const PolygonMesh& polygons, const std::string& path, int& split) {
   QuadMesh mesh;
   mesh.points = polygons.points;
-  for (std::size_t k = 0; k < mesh.points.size(); ++k)
-    if (!mesh.points[k].allFinite())
-      throw InputError(text("%s: point %zu has a coordinate that is not a finite number: export it again",
-                            path.c_str(), k + 1));
   for (std::size_t k = 0; k < polygons.polygons.size(); ++k) {
     const Corners& polygon = polygons.polygons[k];
     if (polygon.size() <= 4) {
@@ -99,7 +130,12 @@ QuadMesh read_mesh(const std::string& path, int& split) {
   if (ending != ".obj" && ending != ".stl" && ending != ".ply")
     throw InputError(path + ": no mesh format that can be read; the name must end in .obj, .stl or .ply");
   if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": no such file");
-  return of_quads(ending == ".obj" ? read_obj(path) : read_soup(path), path, split);
+  if (ending == ".obj") {
+    const PolygonMesh mesh = read_obj(path);
+    check_points(mesh, path);
+    return of_quads(mesh, path, split);
+  }
+  return of_quads(merged(ending == ".ply" ? read_ply(path) : read_stl(path), path), path, split);
 }
 
 QuadMesh in_hull_frame(const QuadMesh& mesh, const MeshFrame& frame) {

@@ -56,8 +56,8 @@ class ObjReader {
     std::from_chars(word.data(), word.data() + word.size(), k);
     if (k < 0) k += n + 1;
     if (k < 1 || k > n)
-      fail(text("a panel names the point \"%s\", but %d points stand above it: give 1 to %d, or -1 to -%d",
-                word.c_str(), n, n, n)
+      fail(text("a panel names the point %s, but %d points stand above it: give 1 to %d, or -1 to -%d",
+                excerpt(word).c_str(), n, n, n)
                .c_str());
     return k - 1;
   }

@@ -16,4 +16,12 @@ std::string text(const char* pattern, ...) {
   return result;
 }
 
+std::string excerpt(const std::string& word) {
+  constexpr std::size_t most = 40;
+  std::string result = word.substr(0, most);
+  for (char& c : result)
+    if (c < ' ' || c > '~') c = '?';
+  return '"' + result + (word.size() > most ? "...\"" : "\"");
+}
+
 }  // namespace icebow
