@@ -47,6 +47,8 @@ void IceSheet::shift_fields(const Communicator& comm) {
     for (int c = 0; c < 3; ++c) all.push_back(&group[c]);
   all.push_back(&theta);
   all.push_back(&extra_strength);
+  all.push_back(&crushed_depth);
+  all.push_back(&touched_face);
   const std::size_t size = theta.element_size(), piece = block * size, rows = layout.columns * layout.nz;
   const std::size_t width = std::size_t(layout.blocks) * piece;
   std::vector<std::byte> outgoing(all.size() * rows * piece), incoming(outgoing.size());

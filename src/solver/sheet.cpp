@@ -67,6 +67,8 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       acceleration{{layout.size, precision, 9}, {layout.size, precision, 10}, {layout.size, precision, 11}},
       theta(layout.size, precision, 12),
       extra_strength(layout.size, precision, 13),
+      crushed_depth(layout.size, precision, 14),
+      touched_face(layout.size, precision, 15),
       bits(l, layout, stencil),
       sides_held_(s.sheet.fixed != FixedEdges::none),
       // What a window lays ahead is at rest: bonds to ice that moves would be torn as they are made.

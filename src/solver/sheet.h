@@ -59,6 +59,9 @@ class IceSheet {
   // Added, for both ends, to what a bond bears over its limit: 0, or one of these.
   Field extra_strength;
   static constexpr double held_together = 1e3, crushed = -1e9;
+  // How deep the hull has crushed each particle [m], which grows; and the hull's face that presses it, as its
+  // number plus 1, or 0.
+  Field crushed_depth, touched_face;
   BondBits bits;
 
   // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. The

@@ -91,6 +91,8 @@ void for_each_field(const IceSheet& sheet, Visit visit) {
     for (int c = 0; c < 3; ++c) visit_field(std::string(name) + components[c], fields[c]);
   }
   visit_field("extra_strength", sheet.extra_strength);
+  visit_field("crushed_depth", sheet.crushed_depth);
+  visit_field("touched_face", sheet.touched_face);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "solver/checkpoint.h"
+#include "solver/contact.h"
 #include "solver/process_watch.h"
 #include "solver/recorder.h"
 #include "solver/sheet_state.h"
@@ -91,7 +92,8 @@ TimeStep time_step(const Scenario& s, const Lattice& lattice) {
   const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
   const Stencil stencil = make_stencil(lattice.nz, lattice.dx, material.delta);
   const double limit =
-      stable_time_step(stencil, material, lattice.dx, s.ice.rho, s.numerics.surface_correction);
+      with_contact(stable_time_step(stencil, material, lattice.dx, s.ice.rho, s.numerics.surface_correction),
+                   contact_stiffness(s), s.ice.rho * lattice.particle_volume());
   const double dt = s.numerics.dt > 0.0 ? s.numerics.dt : s.numerics.dt_fraction * limit;
   if (dt > limit) {
     throw InputError(

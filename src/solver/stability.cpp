@@ -106,4 +106,8 @@ double stable_time_step(const Stencil& stencil, const Material& material, double
   return 2.0 / std::sqrt(tridiagonal.eigenvalues().maxCoeff());
 }
 
+double with_contact(double dt_limit, double stiffness, double mass) {
+  return 2.0 / std::sqrt(4.0 / (dt_limit * dt_limit) + stiffness / mass);
+}
+
 }  // namespace icebow

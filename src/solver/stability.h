@@ -12,4 +12,8 @@ namespace icebow {
 double stable_time_step(const Stencil& stencil, const Material& material, double dx, double rho,
                         bool surface_correction);
 
+// The limit where particles of this mass [kg] also have springs of this stiffness [N/m] to the hull: no
+// frequency rises above the root of omega_max^2 + stiffness / mass (Weyl's inequality).
+double with_contact(double dt_limit, double stiffness, double mass);
+
 }  // namespace icebow

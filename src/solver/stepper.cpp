@@ -34,9 +34,8 @@ ContactSettings contact_settings(const Scenario& s, double dt, double dx) {
   c.V = s.V;
   c.dt = dt;
   c.particle_mass = s.ice.rho * dx * dx * dx;
-  c.penalty_stiffness = s.ice.E * dx;
-  c.crushing_force = s.ice.crushing_pressure * dx * dx;
-  c.crushing_depth = dx;
+  c.stiffness = contact_stiffness(s);
+  c.crushing = {s.ice.crushing_pressure * dx * dx, c.stiffness, dx};
   return c;
 }
 

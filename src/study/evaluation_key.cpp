@@ -11,7 +11,7 @@ namespace icebow {
 namespace {
 
 // Raise it when the same case would give another result: a changed model, a corrected error.
-constexpr int result_version = 7;
+constexpr int result_version = 8;
 
 // A field added to a case but not to its key would hand out results of another case: the sizes notice. Left
 // out on purpose: numerics.ranks_along_x, because results do not depend on the ranks, bow.angles_at,

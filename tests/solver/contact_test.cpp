@@ -16,8 +16,14 @@ ContactSettings settings(ContactRule rule, double friction) {
   s.V = 0.4;
   s.dt = 5e-5;
   s.particle_mass = 2e-3;
-  s.penalty_stiffness = 52e6 * 0.013;
+  s.stiffness = 52e6 * 0.013;
   return s;
+}
+
+// Of a rule without memory.
+ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const Vec3& velocity) {
+  double crushed = 0.0;
+  return icebow::respond(s, hit, velocity, crushed);
 }
 
 ClosestPoint hit(double depth, const Vec3& normal) {
@@ -66,29 +72,76 @@ TEST_CASE("the penalty rule is a spring") {
   const ContactSettings s = settings(ContactRule::penalty, 0.0);
   const ContactResponse r = respond(s, hit(1e-5, Vec3(0, 0, -1)), Vec3::Zero());
   CHECK(r.push.norm() == 0.0);
-  CHECK(-r.delta_v.z() * s.particle_mass / s.dt == Approx(s.penalty_stiffness * 1e-5));
+  CHECK(-r.delta_v.z() * s.particle_mass / s.dt == Approx(s.stiffness * 1e-5));
 }
 
-TEST_CASE("the crushing rule stops the approach with no more than the crushing force") {
-  ContactSettings s = settings(ContactRule::crushing, 0.0);
-  s.crushing_depth = 0.013;
-  s.crushing_force = 5e4 * 0.013 * 0.013;
-  const double yield = s.crushing_force * s.dt / s.particle_mass;  // change of velocity in a step
-  const Vec3 normal(1, 0, 0), nearly_with_the_hull(s.V - 0.1 * yield, 0, 0);
-  const ContactResponse held = respond(s, hit(5e-3, normal), nearly_with_the_hull);
-  CHECK(held.delta_v.x() == Approx(0.1 * yield));
-  CHECK(held.push.norm() == 0.0);
-  CHECK(respond(s, hit(5e-3, normal), Vec3::Zero()).delta_v.x() == Approx(yield));
-  CHECK(respond(s, hit(5e-3, normal), Vec3(2.0 * s.V, 0, 0)).delta_v.norm() == 0.0);
+namespace {
+
+constexpr double spacing = 0.013, strength = 104e3 * spacing * spacing;
+
+CrushingLaw crushing_law() {
+  return {strength, 0.25 * 52e6 * spacing, spacing};
 }
 
-TEST_CASE("crushed ice is pushed out of the hull no faster than the hull sails") {
+}  // namespace
+
+TEST_CASE("crushing: rows of ice one behind the other bear the crushing pressure together, at every depth") {
+  const CrushingLaw law = crushing_law();
+  CHECK(law.bearable(0.0) == 0.0);
+  for (double depth = spacing; depth < 2.0 * spacing; depth += 0.01 * spacing)
+    // by arithmetic
+    CHECK(law.bearable(depth) + law.bearable(depth - spacing) == Approx(strength).epsilon(1e-12));
+}
+
+TEST_CASE("crushing: pushing the hull through a particle costs the crushing pressure times its volume") {
+  const CrushingLaw law = crushing_law();
+  double crushed = 0.0, work = 0.0;
+  const double step = 1e-4 * spacing;
+  for (double depth = 0.5 * step; !law.used_up(crushed); depth += step)
+    work += law.force(depth, crushed) * step;
+  CHECK(work == Approx(strength * spacing).epsilon(1e-3));  // the sum over steps of 1e-4 of the depth
+  CHECK(law.force(3.0 * spacing, crushed) == 0.0);          // rubble counts no face a second time
+}
+
+TEST_CASE("crushing: unloading gives back what the contact stores and no more") {
+  const CrushingLaw law = crushing_law();
+  double crushed = 0.0;
+  const double deep = spacing, loaded = law.force(deep, crushed);
+  REQUIRE(loaded == Approx(strength));
+  double back = 0.0;
+  const double step = 1e-5 * spacing;
+  for (double depth = deep - 0.5 * step; depth > 0.9 * deep; depth -= step)
+    back += law.force(depth, crushed) * step;
+  CHECK(back == Approx(0.5 * strength * strength / law.stiffness).epsilon(0.01));  // the sum over steps
+  CHECK(back < 0.01 * strength * spacing);
+  CHECK(law.force(0.9 * deep, crushed) == 0.0);  // the hull has cut so far: nothing presses there
+  CHECK(law.force(deep, crushed) == Approx(strength));
+}
+
+TEST_CASE("crushing: the force goes by depth, whatever the step and the speed") {
   ContactSettings s = settings(ContactRule::crushing, 0.0);
-  s.crushing_depth = 0.013;
-  s.crushing_force = 5e4 * 0.013 * 0.013;
-  const ContactResponse r = respond(s, hit(0.02, Vec3(1, 0, 0)), Vec3::Zero());
-  CHECK(r.delta_v.x() == Approx(s.V));
-  CHECK(r.push.x() == Approx(s.V * s.dt));
+  s.crushing = crushing_law();
+  for (const double dt : {1e-5, 5e-5}) {
+    s.dt = dt;
+    for (const double v : {0.0, 0.3}) {
+      double crushed = 0.0;
+      const ContactResponse r = respond(s, hit(spacing, Vec3(1, 0, 0)), Vec3(v, 0, 0), crushed);
+      CHECK(r.delta_v.x() * s.particle_mass / s.dt == Approx(strength));
+      CHECK(r.push.norm() == 0.0);
+    }
+  }
+}
+
+TEST_CASE("crushing: friction goes with the force that acts and never reverses sliding") {
+  ContactSettings s = settings(ContactRule::crushing, 0.1);
+  s.crushing = crushing_law();
+  s.dt = 1e-6;
+  double crushed = 0.0;
+  const ContactResponse r = respond(s, hit(spacing, Vec3(1, 0, 0)), Vec3(0.4, 0.5, 0.0), crushed);
+  CHECK(-r.delta_v.y() == Approx(0.1 * r.delta_v.x()));
+  crushed = 0.0;
+  const ContactResponse slow = respond(s, hit(spacing, Vec3(1, 0, 0)), Vec3(0.4, 1e-9, 0.0), crushed);
+  CHECK(-slow.delta_v.y() == Approx(1e-9));
 }
 
 TEST_CASE("sums of impulses do not depend on their order") {

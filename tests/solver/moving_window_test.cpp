@@ -164,10 +164,14 @@ TEST_CASE("ice at the far end does not break until it is the far end no more") {
   CHECK(sheet.extra_strength[last] > 0.0);
   CHECK(sheet.extra_strength[last - block] == 0.0);
   sheet.extra_strength[row + 20] = IceSheet::crushed;
+  sheet.crushed_depth[row + 20] = 0.5;
+  sheet.touched_face[row + 20] = 7.0;
   sheet.drop_first_block(Communicator::serial());
   CHECK(sheet.extra_strength[last] > 0.0);
   CHECK(sheet.extra_strength[last - block] == 0.0);
   CHECK(sheet.extra_strength[row + 4] == IceSheet::crushed);
+  CHECK(sheet.crushed_depth[row + 4] == 0.5);
+  CHECK(sheet.touched_face[row + 4] == 7.0);
 }
 
 TEST_CASE("a window that cannot hold the bow is refused") {
