@@ -7,6 +7,7 @@
 #include "base/communicator.h"
 #include "solver/simulation.h"
 #include "study/evaluation.h"
+#include "study/evaluation_key.h"
 
 namespace icebow {
 
@@ -30,9 +31,5 @@ Evaluation evaluate(const Communicator& comm, const Design& design, const Evalua
 
 // Whether a study document asks for "lindqvist" or "peridynamics": both where it has no "evaluators".
 bool asks_for(const Json& document, const std::string& evaluator);
-
-// Key of everything the result depends on: exact bits of the case (not its name) and the solver's result
-// version.
-std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics);
 
 }  // namespace icebow

@@ -1,3 +1,5 @@
+#include "study/evaluation_key.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <type_traits>
@@ -111,7 +113,7 @@ bool asks_for(const Json& document, const std::string& evaluator) {
   return std::find(list.begin(), list.end(), Json(evaluator)) != list.end();
 }
 
-std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics) {
+std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics) {
   Text text;
   text.add("icebow.result_version", result_version);
   text.add("use_lindqvist", use_lindqvist);
@@ -148,7 +150,11 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
   if (c.sheet.absorbing > 0.0) text.add("sheet.absorbing", c.sheet.absorbing);
   if (c.numerics.floe_contact) text.add("numerics.floe_contact", true);
   if (c.snapshot_format != SnapshotFormat::vtp) text.add("snapshot_format", c.snapshot_format);
-  return sha256(text.str());
+  return text.str();
+}
+
+std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics) {
+  return sha256(evaluation_text(c, use_lindqvist, use_peridynamics));
 }
 
 }  // namespace icebow
