@@ -67,13 +67,6 @@ struct BowFeasibility {
   std::string reason;  // the violated inequalities in words; empty where feasible
 };
 
-// The four angles from those of the second protocol: stem at P0, waterline and buttock at P1, and the
-// entrance, the waterline angle at P0 [all rad]. The flare follows: tan(flare) = tan(waterline) /
-// tan(buttock) at P1.
-BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance);
-
-BowFeasibility check_feasibility(const BowParameters& bow);
-
 enum class HullStatus { ok, infeasible, mesh_rejected };
 
 struct Hull {
@@ -87,8 +80,5 @@ struct Hull {
   double waterline_at_quarter_beam = 0.0;  //!< derived angle at P1 [rad]
   double flare_at_stem = 0.0;              //!< derived angle at P0 [rad]
 };
-
-// Never throws for an impossible bow: the status says so.
-Hull make_hull(const BowParameters& bow);
 
 }  // namespace icebow

@@ -62,6 +62,11 @@ Rows rows_of(const QuadMesh& mesh, double B) {
 
 }  // namespace
 
+BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance) {
+  return {stem, entrance, buttock,
+          std::atan2(std::sin(waterline) * std::cos(buttock), std::cos(waterline) * std::sin(buttock))};
+}
+
 BowAngles measure_angles(const QuadMesh& mesh, double B) {
   const Rows rows = rows_of(mesh, B);
   const double yq = B / 4.0;

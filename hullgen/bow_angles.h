@@ -7,6 +7,11 @@
 
 namespace icebow {
 
+// The four angles from those of the second protocol: stem at P0, waterline and buttock at P1, and the
+// entrance, the waterline angle at P0 [all rad]. The flare follows: tan(flare) = tan(waterline) /
+// tan(buttock) at P1.
+BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance);
+
 // From vertices of the bow patch alone: profile, design waterline and the buttock at B/4 are vertex rows of
 // the mesh. Each slope is that of the parabola through the three vertices nearest to P0 or P1, one-sided
 // where the surface has a crease or its curvature jumps. An angle that cannot be read, because the row is

@@ -1,5 +1,5 @@
-// The margins g1 to g7 of docs/bows.md. Each is a closed form in the parameters, so each can say by how much
-// a parameter has to move.
+#include "hullgen/feasibility.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "hullgen/lines_style.h"
 #include "hullgen/lines_views.h"
 #include "hullgen/text.h"
 

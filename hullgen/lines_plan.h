@@ -5,10 +5,9 @@
 #include <string>
 
 #include "hullgen/bow.h"
+#include "hullgen/lines_style.h"
 
 namespace icebow {
-
-enum class DrawnFor { screen, print };
 
 // A self-contained <svg> element without external references. On a screen colours are CSS currentColor and
 // variables, so that it reads on light and dark pages: --lp-paper is the page's background, --lp-water and

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "hullgen/lines_plan.h"
-
 namespace icebow {
+
+enum class DrawnFor { screen, print };
 
 // The text of its <style> element.
 std::string lines_style(DrawnFor reader);

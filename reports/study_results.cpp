@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "reports/json_fields.h"
 #include "study/design_space.h"
+#include "study/read_study.h"
 #include "study/repeats.h"
 #include "study/store.h"
 

@@ -1,4 +1,4 @@
-// A group of ranks. MPI stays behind this wall: only communicator.cpp, solver/halo.cpp and
+// A group of ranks. MPI stays behind this wall: only communicator_native.cpp, solver/halo.cpp and
 // solver/parallel_file.cpp include <mpi.h>.
 //
 // Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one

@@ -1,4 +1,4 @@
-// For communicator.cpp, solver/halo.cpp and solver/parallel_file.cpp only.
+// The MPI side of Communicator: for communicator_native.cpp, solver/halo.cpp and solver/parallel_file.cpp only.
 #pragma once
 
 #include <mpi.h>

@@ -9,6 +9,7 @@
 #include "solver/simulation.h"
 #include "study/calibration.h"
 #include "study/case_hull.h"
+#include "study/spec_case.h"
 #include "study/spec_hints.h"
 #include "study/spec_method.h"
 

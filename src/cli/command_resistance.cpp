@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "study/evaluator_inputs.h"
 #include "study/result_json.h"
 #include "study/spec_hints.h"
 

@@ -7,6 +7,7 @@
 #include "hullgen/cad_file.h"
 #include "hullgen/family.h"
 #include "hullgen/lines_plan.h"
+#include "hullgen/make_hull.h"
 #include "hullgen/mesh_io.h"
 #include "hullgen/svg_pdf.h"
 #include "study/case_hull.h"

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "cli/commands.h"
+#include "study/evaluate_design_child.h"
 #include "study/provenance.h"
 #include "study/run_study.h"
 #include "study/spec_hints.h"

@@ -1,6 +1,8 @@
 #include "cli/study_choice.h"
 
 #include "base/errors.h"
+#include "study/read_study.h"
+#include "study/spec_case.h"
 #include "study/spec_hints.h"
 #include "study/spec_hull.h"
 

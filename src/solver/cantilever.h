@@ -1,8 +1,8 @@
 // What a tank makes of a cantilever's load: equation (29) of docs/theory.md.
 #pragma once
 
+#include "solver/beam_test.h"
 #include "solver/tearing.h"
-#include "solver/virtual_tests.h"
 
 namespace icebow {
 

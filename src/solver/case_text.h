@@ -4,7 +4,8 @@
 #include <string>
 
 #include "base/quad_mesh.h"
-#include "solver/simulation.h"
+#include "solver/run_options.h"
+#include "solver/scenario.h"
 
 namespace icebow {
 

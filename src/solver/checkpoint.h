@@ -13,7 +13,7 @@
 #include "base/communicator.h"
 #include "solver/process_watch.h"
 #include "solver/recorder.h"
-#include "solver/simulation.h"
+#include "solver/run_options.h"
 #include "solver/snapshots.h"
 #include "solver/stepper.h"
 

@@ -3,6 +3,7 @@
 
 #include "solver/cantilever.h"
 #include "solver/specimen.h"
+#include "solver/virtual_tests.h"
 
 namespace icebow {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/communicator.h"
-#include "solver/picture.h"
+#include "solver/ice_cloud.h"
 #include "solver/sheet.h"
 
 namespace icebow {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "solver/picture.h"
+#include "solver/ice_cloud.h"
 
 namespace icebow {
 

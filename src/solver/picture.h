@@ -1,24 +1,14 @@
 // Top view of the broken ice as a PNG (libpng), and ParaView snapshots.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/quad_mesh.h"
+#include "solver/ice_cloud.h"
 
 namespace icebow {
-
-// Particles of the sheet, any order. Model scale, metres; x, y, z current positions.
-struct IceCloud {
-  std::vector<float> x, y, z;
-  std::vector<float> ux, uy, uz;    // displacement
-  std::vector<float> vx, vy, vz;    // velocity; empty where nobody asks for it
-  std::vector<float> damage;        // broken / initial bonds, 0..1
-  std::vector<std::int32_t> piece;  // 0 = standing sheet, > 0 = floe number, -1 = crushed (small pieces)
-  double dx = 0.0;                  //!< lattice spacing [m]
-};
 
 struct PictureFrame {
   double x_min, x_max, y_min, y_max;  //!< window of the sheet that is drawn [m]

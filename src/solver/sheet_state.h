@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/communicator.h"
+#include "solver/ice_cloud.h"
 #include "solver/metrics.h"
-#include "solver/picture.h"
 #include "solver/sheet.h"
 
 namespace icebow {

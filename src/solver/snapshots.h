@@ -7,8 +7,9 @@
 
 #include "base/communicator.h"
 #include "base/json.h"
+#include "base/quad_mesh.h"
+#include "solver/run_options.h"
 #include "solver/sheet_state.h"
-#include "solver/simulation.h"
 #include "solver/stepper.h"
 
 namespace icebow {

@@ -7,17 +7,13 @@
 // said. Throws InputError for a single layer, which cannot bend.
 #pragma once
 
+#include "solver/beam_test.h"
 #include "solver/scenario.h"
 
 namespace icebow {
 
 constexpr int most_tested_layers = 6;  // a beam of more takes many minutes
 
-struct BeamTest {
-  double elastic_modulus = 0.0;    //!< E of the Timoshenko cantilever as stiff as the unbroken one [Pa]
-  double flexural_strength = 0.0;  //!< 6 F L / (b h^2) at the highest force [Pa]
-  int breaks = 0;                  // equilibria that the piece went through
-};
 // Root held, the tip moved up.
 BeamTest virtual_beam_test(const Scenario& scenario);
 

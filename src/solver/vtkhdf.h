@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/communicator.h"
-#include "solver/picture.h"
+#include "solver/ice_cloud.h"
 
 namespace icebow {
 

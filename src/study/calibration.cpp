@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/units.h"
 #include "solver/virtual_tests.h"
-#include "study/evaluate.h"
+#include "study/evaluator_inputs.h"
 #include "study/sha256.h"
 #include "study/spec_hints.h"
 
@@ -105,11 +105,9 @@ LatticeNumbers lattice_numbers(const Scenario& s, const std::string& directory) 
   return numbers;
 }
 
-void test_lattices(const StudyPlan& plan) {
+void test_lattices(const std::vector<Case>& cases) {
   std::set<std::string> tested;
-  for (const PlannedDesign& planned : plan.designs) {
-    if (!planned.mistake.empty() || !asks_for(planned.design.document, "peridynamics")) continue;
-    const Case c = read_case(planned.design.document, planned.design.name);
+  for (const Case& c : cases) {
     const Scenario s = model_scenario(c);
     if (c.ice_model != IceModel::calibrated || !tested.insert(lattice_text(s)).second) continue;
     try {

@@ -7,9 +7,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/communicator.h"
-#include "study/design_space.h"
 #include "study/study_spec.h"
 
 namespace icebow {
@@ -34,9 +34,10 @@ std::string calibration_directory();
 // empty or cannot be written only means that the next call takes as long.
 LatticeNumbers lattice_numbers(const Scenario& scenario, const std::string& directory);
 
-// Those of every lattice that a study's plan simulates calibrated ice on: before the first design, lest
-// designs that run side by side each do the same tests. What goes wrong is the design's to say.
-void test_lattices(const StudyPlan& plan);
+// Finds and stores the numbers of every lattice on which these cases simulate calibrated ice. A study does so
+// before its first design, lest designs that run side by side each do the same tests. A test that fails is
+// not reported here: the design that needs it fails with the reason.
+void test_lattices(const std::vector<Case>& cases);
 
 // The ice with the modulus and tensile strength that measure as `ice.E` and `flexural_strength` [Pa]. Throws
 // InputError where it would break at a strain that the solver does not take, or fail within before its

@@ -1,6 +1,8 @@
 #include "study/case_hull.h"
 
+#include "hullgen/feasibility.h"
 #include "hullgen/hull_deformation.h"
+#include "hullgen/make_hull.h"
 
 namespace icebow {
 

@@ -12,6 +12,7 @@
 #include "study/repeats.h"
 #include "study/sampling.h"
 #include "study/sha256.h"
+#include "study/spec_case.h"
 
 namespace icebow {
 namespace {

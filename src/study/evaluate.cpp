@@ -10,11 +10,13 @@
 #include "hullgen/mesh_io.h"
 #include "study/calibration.h"
 #include "study/case_hull.h"
+#include "study/evaluator_inputs.h"
 #include "study/history_csv.h"
 #include "study/process_json.h"
 #include "study/provenance.h"
 #include "study/resolution_bias.h"
 #include "study/result_json.h"
+#include "study/spec_case.h"
 
 namespace icebow {
 namespace {

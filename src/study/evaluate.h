@@ -29,7 +29,4 @@ constexpr const char* checkpoint_name = "checkpoint.h5";
 // asked for; checkpoint.h5 until the run has ended.
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options);
 
-// Whether a study document asks for "lindqvist" or "peridynamics": both where it has no "evaluators".
-bool asks_for(const Json& document, const std::string& evaluator);
-
 }  // namespace icebow

@@ -1,10 +1,11 @@
+#include "study/evaluate_design_child.h"
+
 #include <csignal>
 #include <iostream>
 #include <map>
 
 #include "base/errors.h"
 #include "study/progress_json.h"
-#include "study/run_study.h"
 
 namespace icebow {
 namespace {

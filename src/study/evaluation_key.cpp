@@ -6,7 +6,6 @@
 
 #include "study/calibration.h"
 #include "study/case_hull.h"
-#include "study/evaluate.h"
 #include "study/sha256.h"
 
 namespace icebow {

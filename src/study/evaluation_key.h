@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/json.h"
 #include "study/study_spec.h"
 
 namespace icebow {
@@ -12,5 +13,8 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
 
 // One line a field: the result version first, then the exact bits of the case, its name left out.
 std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics);
+
+// Whether a study document asks for "lindqvist" or "peridynamics": both where it has no "evaluators".
+bool asks_for(const Json& document, const std::string& evaluator);
 
 }  // namespace icebow

@@ -9,6 +9,7 @@
 #include "study/design_files.h"
 #include "study/progress_json.h"
 #include "study/runner.h"
+#include "study/spec_case.h"
 
 namespace icebow {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "solver/simulation.h"
+#include "solver/run_options.h"
 
 namespace icebow {
 

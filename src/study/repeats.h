@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/design_space.h"
+#include "base/json.h"
 
 namespace icebow {
 

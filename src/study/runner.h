@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/design_space.h"
-#include "study/run_study.h"
+#include "study/run_settings.h"
 
 namespace icebow {
 

@@ -1,10 +1,10 @@
-// "evaluators" and "designs" of a study file.
+#include "study/spec_designs.h"
+
 #include <algorithm>
 #include <set>
 
 #include "study/spec_case.h"
 #include "study/spec_hints.h"
-#include "study/spec_method.h"
 
 namespace icebow {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/spec_designs.h"
 #include "study/spec_hints.h"
-#include "study/spec_method.h"
 
 namespace icebow {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/run_study.h"
+#include "study/run_settings.h"
 #include "study/store.h"
 
 namespace icebow {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/json.h"
-#include "formula/lindqvist.h"
 #include "hullgen/bow.h"
 #include "solver/scenario.h"
 #include "solver/snapshot_format.h"
@@ -36,11 +35,6 @@ struct Case {
   int snapshots = 0, pictures = 0;
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
 };
-
-// The same case as the solver wants it: model scale. Of calibrated ice the modulus is the one to be measured
-// and there is no critical stretch: see simulated_scenario() in study/calibration.h.
-Scenario model_scenario(const Case& full);
-LindqvistInputs lindqvist_inputs(const Case& full);
 
 enum class MethodType { list, grid, latin_hypercube, optimise };
 
@@ -86,15 +80,5 @@ struct StudySpec {
   std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "lindqvist_breaking"
   Execution execution;
 };
-
-// Throw InputError with every mistake in the file, each by JSON pointer.
-StudySpec read_study(const std::string& path);
-StudySpec read_study(const Json& document, const std::string& name);
-// Only what describes one ship in one ice (scale, bow, ice, water, sheet, operation, solver, output): the
-// document of a design, its overrides applied. Methods, designs and execution in it are not looked at. Throws
-// likewise.
-Case read_case(const Json& document, const std::string& name);
-// "/bow/stem_deg=20": the value is JSON (a bare word is taken as a string). Throws InputError.
-void apply_set(Json& document, const std::string& assignment);
 
 }  // namespace icebow

@@ -7,6 +7,8 @@
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
 #include "hullgen/bow_surface.h"
+#include "hullgen/feasibility.h"
+#include "hullgen/make_hull.h"
 #include "hullgen/mesh_check.h"
 #include "paper_bows.h"
 

@@ -30,6 +30,7 @@
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
 #include "hullgen/family.h"
+#include "hullgen/feasibility.h"
 #include "paper_bows.h"
 
 using namespace icebow;

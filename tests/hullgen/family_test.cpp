@@ -10,6 +10,8 @@
 #include "bow_rows.h"
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
+#include "hullgen/feasibility.h"
+#include "hullgen/make_hull.h"
 #include "hullgen/mesh_check.h"
 #include "hullgen/mesh_slice.h"
 #include "paper_bows.h"

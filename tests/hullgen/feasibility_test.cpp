@@ -4,6 +4,8 @@
 #include <regex>
 
 #include "base/units.h"
+#include "hullgen/feasibility.h"
+#include "hullgen/make_hull.h"
 #include "paper_bows.h"
 
 using namespace icebow;

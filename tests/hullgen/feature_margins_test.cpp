@@ -5,7 +5,10 @@
 #include <regex>
 
 #include "base/units.h"
+#include "hullgen/bow_angles.h"
 #include "hullgen/family.h"
+#include "hullgen/feasibility.h"
+#include "hullgen/make_hull.h"
 
 using namespace icebow;
 

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "base/units.h"
+#include "hullgen/make_hull.h"
 #include "hullgen/svg_canvas.h"
 #include "paper_bows.h"
 

@@ -7,6 +7,7 @@
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
 #include "hullgen/family.h"
+#include "hullgen/feasibility.h"
 #include "hullgen/mesh_check.h"
 #include "paper_bows.h"
 

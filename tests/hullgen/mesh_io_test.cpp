@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "hullgen/bow.h"
+#include "hullgen/make_hull.h"
 #include "hullgen/mesh_import.h"
 #include "hullgen/triangles.h"
 #include "paper_bows.h"

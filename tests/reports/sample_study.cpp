@@ -11,6 +11,7 @@
 #include "sample_files.h"
 #include "study/design_files.h"
 #include "study/design_space.h"
+#include "study/read_study.h"
 #include "study/store.h"
 
 namespace icebow {

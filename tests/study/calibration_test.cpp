@@ -8,7 +8,9 @@
 
 #include "fake_study.h"
 #include "solver/virtual_tests.h"
+#include "study/evaluator_inputs.h"
 #include "study/sha256.h"
+#include "study/spec_case.h"
 
 using namespace icebow;
 

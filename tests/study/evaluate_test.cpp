@@ -6,6 +6,7 @@
 
 #include "../main.h"
 #include "fake_study.h"
+#include "study/spec_case.h"
 
 using namespace icebow;
 

@@ -11,7 +11,9 @@
 
 #include "base/errors.h"
 #include "base/units.h"
+#include "study/read_study.h"
 #include "study/run_study.h"
+#include "study/spec_case.h"
 
 namespace icebow {
 

@@ -8,6 +8,8 @@
 #include "study/case_hull.h"
 #include "study/design_space.h"
 #include "study/evaluate.h"
+#include "study/evaluator_inputs.h"
+#include "study/read_study.h"
 
 using namespace icebow;
 

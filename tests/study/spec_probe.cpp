@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.h"
+#include "study/read_study.h"
 #include "study/spec_keys.h"
 #include "study/spec_method.h"
 #include "study/study_spec.h"

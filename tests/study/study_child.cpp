@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fake_study.h"
+#include "study/evaluate_design_child.h"
 
 using namespace icebow;
 

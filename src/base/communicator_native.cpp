@@ -1,8 +1,7 @@
-#include "base/communicator.h"
+#include "base/communicator_native.h"
 
 #include <cstdlib>
 
-#include "base/communicator_native.h"
 #include "base/errors.h"
 
 namespace icebow {

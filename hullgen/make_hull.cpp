@@ -1,18 +1,14 @@
-#include "hullgen/bow.h"
+#include "hullgen/make_hull.h"
 
 #include <cmath>
 
 #include "hullgen/bow_angles.h"
 #include "hullgen/bow_mesh.h"
 #include "hullgen/family.h"
+#include "hullgen/feasibility.h"
 #include "hullgen/mesh_check.h"
 
 namespace icebow {
-
-BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance) {
-  return {stem, entrance, buttock,
-          std::atan2(std::sin(waterline) * std::cos(buttock), std::cos(waterline) * std::sin(buttock))};
-}
 
 Hull make_hull(const BowParameters& bow) {
   Hull hull;

@@ -1,10 +1,11 @@
-#include "study/study_spec.h"
+#include "study/read_study.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include "base/errors.h"
 #include "study/spec_case.h"
+#include "study/spec_designs.h"
 #include "study/spec_hints.h"
 #include "study/spec_hull.h"
 #include "study/spec_method.h"
