@@ -10,6 +10,7 @@
 #include "solver/local_cloud.h"
 #include "solver/sheet_state.h"
 #include "solver/vtkhdf.h"
+#include "solver/vtp.h"
 #include "tests/solver/tiny_hull.h"
 
 using namespace icebow;

@@ -1,8 +1,9 @@
+#include "reports/html_report.h"
+
 #include "base/json.h"
 #include "reports/chart_data.h"
 #include "reports/html_sections.h"
 #include "reports/page_template.h"
-#include "reports/report.h"
 #include "reports/report_assets.h"
 #include "reports/text_format.h"
 

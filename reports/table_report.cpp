@@ -7,7 +7,6 @@
 
 #include "reports/json_fields.h"
 #include "reports/load_unit.h"
-#include "reports/report.h"
 #include "reports/text_format.h"
 #include "reports/verdict.h"
 

@@ -16,4 +16,8 @@ std::string ranking_markdown(const StudyResults& study);
 // [deg]; `angle` is "stem", "waterline", "buttock" or "flare".
 double measured_or_requested(const Json& result, const std::string& angle);
 
+// Writes study_directory/ranking.csv and study_directory/ranking.md. Throws InputError where the directory
+// holds no study.
+void write_table_reports(const std::string& study_directory);
+
 }  // namespace icebow

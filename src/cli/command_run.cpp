@@ -7,7 +7,8 @@
 #include "cli/ranking_text.h"
 #include "cli/stop_signal.h"
 #include "cli/study_choice.h"
-#include "reports/report.h"
+#include "reports/html_report.h"
+#include "reports/table_report.h"
 #include "study/run_study.h"
 
 namespace icebow {

@@ -7,6 +7,7 @@
 #include "solver/local_cloud.h"
 #include "solver/picture.h"
 #include "solver/vtkhdf.h"
+#include "solver/vtp.h"
 
 namespace icebow {
 namespace {

@@ -1,11 +1,10 @@
-// VTK XML PolyData, data appended raw: each array is its size in bytes (UInt64), then its values; the XML
-// before it gives each array's offset from the underscore that opens the appended section.
+#include "solver/vtp.h"
+
 #include <cstring>
 #include <sstream>
 
 #include "base/json.h"
 #include "solver/interleaved.h"
-#include "solver/picture.h"
 
 namespace icebow {
 namespace {

@@ -4,7 +4,8 @@
 
 #include "base/errors.h"
 #include "base/json.h"
-#include "reports/report.h"
+#include "reports/html_report.h"
+#include "reports/table_report.h"
 #include "sample_study.h"
 #include "scratch.h"
 #include "study/store.h"

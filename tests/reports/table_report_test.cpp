@@ -5,7 +5,6 @@
 #include <map>
 #include <sstream>
 
-#include "reports/report.h"
 #include "sample_study.h"
 #include "scratch.h"
 

@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "reports/report.h"
+#include "reports/html_report.h"
+#include "reports/table_report.h"
 #include "sample_study.h"
 
 int main(int argc, char** argv) {

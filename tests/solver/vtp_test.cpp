@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 #include "base/json.h"
-#include "solver/picture.h"
+#include "solver/vtp.h"
 #include "tests/solver/shapes.h"
 
 using namespace icebow;
