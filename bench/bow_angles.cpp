@@ -13,12 +13,12 @@
 #include <map>
 
 #include "base/units.h"
-#include "hullgen/bow_angles.h"
-#include "hullgen/bow_mesh.h"
-#include "hullgen/family.h"
-#include "hullgen/feasibility.h"
-#include "hullgen/mesh_check.h"
-#include "paper_bows.h"
+#include "hullgen/bow/bow_angles.h"
+#include "hullgen/bow/bow_mesh.h"
+#include "hullgen/bow/family.h"
+#include "hullgen/bow/feasibility.h"
+#include "hullgen/mesh/mesh_check.h"
+#include "tests/support/paper_bows.h"
 
 using namespace icebow;
 

@@ -8,8 +8,8 @@
 
 #include "bench/contact_share.h"
 #include "bench/machine.h"
-#include "solver/hull_distance.h"
-#include "tests/solver/shapes.h"
+#include "geometry/hull_distance.h"
+#include "tests/support/shapes.h"
 
 using namespace icebow;
 

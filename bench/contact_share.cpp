@@ -3,9 +3,9 @@
 #include <chrono>
 
 #include "base/communicator.h"
-#include "solver/stability.h"
-#include "solver/stepper.h"
-#include "tests/solver/shapes.h"
+#include "solver/lattice/stability.h"
+#include "solver/step/stepper.h"
+#include "tests/support/shapes.h"
 
 namespace icebow {
 namespace {

@@ -18,9 +18,9 @@
 
 #include "base/communicator.h"
 #include "bench/machine.h"
-#include "solver/sheet.h"
-#include "solver/stability.h"
-#include "solver/step_schedule.h"
+#include "solver/ice/sheet.h"
+#include "solver/ice/step_schedule.h"
+#include "solver/lattice/stability.h"
 
 using namespace icebow;
 

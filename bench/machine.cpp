@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/communicator_native.h"
-#include "solver/kernel.h"
+#include "solver/kernel/kernel.h"
 
 namespace icebow {
 namespace {

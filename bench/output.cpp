@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <string>
 
-#include "solver/checkpoint.h"
-#include "solver/local_cloud.h"
-#include "solver/sheet_state.h"
-#include "solver/vtkhdf.h"
-#include "solver/vtp.h"
-#include "tests/solver/tiny_hull.h"
+#include "solver/ice/local_cloud.h"
+#include "solver/ice/sheet_state.h"
+#include "solver/output/vtkhdf.h"
+#include "solver/output/vtp.h"
+#include "solver/run/checkpoint.h"
+#include "tests/support/tiny_hull.h"
 
 using namespace icebow;
 

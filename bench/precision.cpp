@@ -14,10 +14,10 @@
 
 #include "base/communicator.h"
 #include "bench/machine.h"
-#include "solver/simulation.h"
-#include "solver/stability.h"
-#include "tests/solver/ice_block.h"
-#include "tests/solver/tiny_hull.h"
+#include "solver/lattice/stability.h"
+#include "solver/run/simulation.h"
+#include "tests/support/ice_block.h"
+#include "tests/support/tiny_hull.h"
 
 using namespace icebow;
 

@@ -12,7 +12,7 @@ import json
 from launch import announce, kernel, machine, positive, rank_counts, run_main, usable_cores
 
 NX, NY, NZ = 500, 250, 3
-NARROWEST = 32  # particles along x that a rank needs (src/solver/lattice.h: two blocks)
+NARROWEST = 32  # particles along x that a rank needs (src/solver/lattice/lattice.h: two blocks)
 
 
 def cases(ranks):

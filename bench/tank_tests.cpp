@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/verification/held_beam.h"
+#include "tests/support/held_beam.h"
 
 using namespace icebow;
 

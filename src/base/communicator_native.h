@@ -1,4 +1,5 @@
-// The MPI side of Communicator: for communicator_native.cpp, solver/halo.cpp and solver/parallel_file.cpp only.
+// The MPI side of Communicator: for communicator_native.cpp, solver/ice/halo.cpp and base/parallel_file.cpp
+// only.
 #pragma once
 
 #include <mpi.h>

@@ -1,5 +1,5 @@
 // What can go wrong with a user's input. An impossible bow or a failed simulation is not here: those are
-// statuses that travel with a design (see study/evaluation.h).
+// statuses that travel with a design (see study/evaluate/evaluation.h).
 #pragma once
 
 #include <stdexcept>

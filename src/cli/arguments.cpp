@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "study/spec_hints.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {

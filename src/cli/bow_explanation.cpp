@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "cli/text_table.h"
 #include "formula/lindqvist.h"
-#include "hullgen/family.h"
+#include "hullgen/bow/family.h"
 
 namespace icebow {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/json.h"
-#include "hullgen/bow.h"
+#include "hullgen/bow/bow.h"
 
 namespace icebow {
 

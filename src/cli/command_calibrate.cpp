@@ -7,11 +7,11 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "solver/plate_on_water.h"
-#include "solver/stencil.h"
-#include "solver/virtual_tests.h"
-#include "study/calibration.h"
-#include "study/spec_hints.h"
+#include "solver/lattice/stencil.h"
+#include "solver/model/plate_on_water.h"
+#include "solver/tank/virtual_tests.h"
+#include "study/evaluate/calibration.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {

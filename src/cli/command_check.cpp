@@ -6,12 +6,12 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "solver/simulation.h"
-#include "study/calibration.h"
-#include "study/case_hull.h"
-#include "study/spec_case.h"
-#include "study/spec_hints.h"
-#include "study/spec_method.h"
+#include "solver/run/simulation.h"
+#include "study/evaluate/calibration.h"
+#include "study/spec/case_hull.h"
+#include "study/spec/spec_case.h"
+#include "study/spec/spec_hints.h"
+#include "study/spec/spec_method.h"
 
 namespace icebow {
 namespace {

@@ -10,8 +10,8 @@
 #include "cli/number_option.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "study/case_hull.h"
-#include "study/result_json.h"
+#include "study/evaluate/result_json.h"
+#include "study/spec/case_hull.h"
 
 namespace icebow {
 namespace {

@@ -8,9 +8,9 @@
 #include "cli/hydrostatics_text.h"
 #include "cli/number_option.h"
 #include "cli/text_table.h"
-#include "hullgen/imported_hull.h"
-#include "hullgen/mesh_check.h"
-#include "study/spec_hints.h"
+#include "hullgen/import/imported_hull.h"
+#include "hullgen/mesh/mesh_check.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {

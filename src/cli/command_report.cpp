@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/ranking_text.h"
-#include "reports/html_report.h"
+#include "reports/html/html_report.h"
 
 namespace icebow {
 

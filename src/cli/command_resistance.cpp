@@ -4,9 +4,9 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "study/evaluator_inputs.h"
-#include "study/result_json.h"
-#include "study/spec_hints.h"
+#include "study/evaluate/evaluator_inputs.h"
+#include "study/evaluate/result_json.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {

@@ -7,9 +7,9 @@
 #include "cli/ranking_text.h"
 #include "cli/stop_signal.h"
 #include "cli/study_choice.h"
-#include "reports/html_report.h"
-#include "reports/table_report.h"
-#include "study/run_study.h"
+#include "reports/html/html_report.h"
+#include "reports/tables/table_report.h"
+#include "study/run/run_study.h"
 
 namespace icebow {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/stop_signal.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "study/evaluate.h"
+#include "study/evaluate/evaluate.h"
 
 namespace icebow {
 namespace {

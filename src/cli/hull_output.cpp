@@ -4,13 +4,13 @@
 #include <filesystem>
 
 #include "base/errors.h"
-#include "hullgen/cad_file.h"
-#include "hullgen/family.h"
-#include "hullgen/lines_plan.h"
-#include "hullgen/make_hull.h"
-#include "hullgen/mesh_io.h"
-#include "hullgen/svg_pdf.h"
-#include "study/case_hull.h"
+#include "hullgen/bow/family.h"
+#include "hullgen/bow/make_hull.h"
+#include "hullgen/cad/cad_file.h"
+#include "hullgen/drawing/lines_plan.h"
+#include "hullgen/drawing/svg_pdf.h"
+#include "hullgen/mesh/mesh_io.h"
+#include "study/spec/case_hull.h"
 
 namespace icebow {
 namespace {

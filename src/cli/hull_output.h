@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/study_choice.h"
-#include "hullgen/bow.h"
+#include "hullgen/bow/bow.h"
 
 namespace icebow {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/json.h"
-#include "hullgen/hydrostatics.h"
+#include "hullgen/hydro/hydrostatics.h"
 
 namespace icebow {
 

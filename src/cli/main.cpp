@@ -4,10 +4,10 @@
 
 #include "base/errors.h"
 #include "cli/commands.h"
-#include "study/evaluate_design_child.h"
-#include "study/provenance.h"
-#include "study/run_study.h"
-#include "study/spec_hints.h"
+#include "study/evaluate/provenance.h"
+#include "study/run/evaluate_design_child.h"
+#include "study/run/run_study.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {

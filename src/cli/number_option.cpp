@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "base/errors.h"
-#include "study/spec_hints.h"
+#include "study/spec/spec_hints.h"
 
 namespace icebow {
 

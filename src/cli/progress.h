@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "study/run_study.h"
+#include "study/run/run_study.h"
 
 namespace icebow {
 

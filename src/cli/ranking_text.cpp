@@ -6,8 +6,8 @@
 #include "base/errors.h"
 #include "cli/process_text.h"
 #include "cli/text_table.h"
-#include "study/spec_hints.h"
-#include "study/store.h"
+#include "study/spec/spec_hints.h"
+#include "study/store/store.h"
 
 namespace icebow {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/ranking.h"
+#include "study/plan/ranking.h"
 
 namespace icebow {
 

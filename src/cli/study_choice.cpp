@@ -1,10 +1,10 @@
 #include "cli/study_choice.h"
 
 #include "base/errors.h"
-#include "study/read_study.h"
-#include "study/spec_case.h"
-#include "study/spec_hints.h"
-#include "study/spec_hull.h"
+#include "study/spec/read_study.h"
+#include "study/spec/spec_case.h"
+#include "study/spec/spec_hints.h"
+#include "study/spec/spec_hull.h"
 
 namespace icebow {
 namespace {

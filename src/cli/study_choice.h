@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/arguments.h"
-#include "study/design_space.h"
-#include "study/study_spec.h"
+#include "study/plan/design_space.h"
+#include "study/spec/study_spec.h"
 
 namespace icebow {
 

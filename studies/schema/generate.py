@@ -4,7 +4,7 @@
     generate.py PROBE            rewrite both
     generate.py PROBE --check    exit 1 where one of them is out of date
 
-PROBE is the test program spec_probe (tests/study), which prints the table of src/study/spec_keys.cpp.
+PROBE is the test program spec_probe (tests/study), which prints the table of src/study/spec/spec_keys.cpp.
 """
 import json
 import pathlib

@@ -4,11 +4,11 @@
 
 #include "base/errors.h"
 #include "base/json.h"
-#include "reports/html_report.h"
-#include "reports/table_report.h"
-#include "sample_study.h"
-#include "scratch.h"
-#include "study/store.h"
+#include "reports/html/html_report.h"
+#include "reports/tables/table_report.h"
+#include "study/store/store.h"
+#include "tests/support/sample_study.h"
+#include "tests/support/scratch.h"
 
 namespace icebow {
 namespace {

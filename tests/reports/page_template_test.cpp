@@ -1,4 +1,4 @@
-#include "reports/page_template.h"
+#include "reports/html/page_template.h"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

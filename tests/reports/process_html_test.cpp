@@ -1,9 +1,9 @@
 // The part of a design's card that tells how its ice broke.
-#include "reports/html_process.h"
+#include "reports/html/html_process.h"
 
 #include <catch2/catch.hpp>
 
-#include "study/process_json.h"
+#include "study/evaluate/process_json.h"
 
 namespace icebow {
 namespace {

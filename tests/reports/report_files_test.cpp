@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "base/json.h"
-#include "reports/history_file.h"
-#include "reports/hull_outline.h"
-#include "reports/inline_svg.h"
-#include "sample_files.h"
-#include "scratch.h"
+#include "reports/content/history_file.h"
+#include "reports/content/hull_outline.h"
+#include "reports/text/inline_svg.h"
+#include "tests/support/sample_files.h"
+#include "tests/support/scratch.h"
 
 namespace icebow {
 

@@ -1,12 +1,12 @@
-#include "reports/table_report.h"
+#include "reports/tables/table_report.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <map>
 #include <sstream>
 
-#include "sample_study.h"
-#include "scratch.h"
+#include "tests/support/sample_study.h"
+#include "tests/support/scratch.h"
 
 namespace icebow {
 namespace {

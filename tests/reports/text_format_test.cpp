@@ -1,4 +1,4 @@
-#include "reports/text_format.h"
+#include "reports/text/text_format.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

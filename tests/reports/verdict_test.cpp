@@ -1,8 +1,8 @@
-#include "reports/verdict.h"
+#include "reports/content/verdict.h"
 
 #include <catch2/catch.hpp>
 
-#include "reports/load_unit.h"
+#include "reports/content/load_unit.h"
 
 namespace icebow {
 namespace {

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <iostream>
 
-#include "reports/html_report.h"
-#include "reports/table_report.h"
-#include "sample_study.h"
+#include "reports/html/html_report.h"
+#include "reports/tables/table_report.h"
+#include "tests/support/sample_study.h"
 
 int main(int argc, char** argv) {
   if (argc < 2) {

@@ -1,8 +1,8 @@
 // Ice bent by forces at rest, against the theory of beams and plates: see docs/verification.md.
 #include <catch2/catch.hpp>
 
-#include "bent_ice.h"
-#include "solver/energy.h"
+#include "solver/ice/energy.h"
+#include "tests/support/bent_ice.h"
 
 using namespace icebow;
 

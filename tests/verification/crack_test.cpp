@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ice_block.h"
-#include "solver/energy.h"
-#include "solver/tearing.h"
+#include "solver/ice/energy.h"
+#include "solver/tank/tearing.h"
+#include "tests/support/ice_block.h"
 
 using namespace icebow;
 

@@ -6,10 +6,10 @@
 
 #include "base/units.h"
 #include "ice_block.h"
-#include "solver/contact.h"
-#include "solver/stability.h"
-#include "solver/stepper.h"
-#include "tiny_hull.h"
+#include "solver/contact/contact.h"
+#include "solver/lattice/stability.h"
+#include "solver/step/stepper.h"
+#include "tests/support/tiny_hull.h"
 
 using namespace icebow;
 

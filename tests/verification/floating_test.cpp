@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "ice_block.h"
-#include "motion.h"
-#include "solver/still_ice.h"
+#include "solver/tank/still_ice.h"
+#include "tests/support/ice_block.h"
+#include "tests/support/motion.h"
 
 using namespace icebow;
 

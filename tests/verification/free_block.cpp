@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "ice_block.h"
+#include "tests/support/ice_block.h"
 
 using namespace icebow;
 

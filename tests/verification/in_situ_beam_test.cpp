@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/errors.h"
-#include "held_beam.h"
+#include "tests/support/held_beam.h"
 
 using namespace icebow;
 

@@ -21,7 +21,7 @@ import tempfile
 
 SMALL = (20, 10, 8)
 LARGE = (22, 22, 22)
-DX, RHO, E = 0.013, 826.6, 52e6  # as in tests/solver/ice_block.h
+DX, RHO, E = 0.013, 826.6, 52e6  # as in tests/support/ice_block.h
 DT, STEPS = 1e-5, 40  # a P wave runs 9 particles
 INNER = 9  # particles away from the faces
 # x, y, z: place from the corner of the block. A stretch along x, a bend and a shear, all smooth.

@@ -1,8 +1,8 @@
 // The modulus from a floating plate's deflection. See docs/verification.md.
 #include <catch2/catch.hpp>
 
-#include "bent_ice.h"
-#include "solver/virtual_tests.h"
+#include "solver/tank/virtual_tests.h"
+#include "tests/support/bent_ice.h"
 
 using namespace icebow;
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "bent_ice.h"
-#include "solver/plate_on_water.h"
+#include "solver/model/plate_on_water.h"
+#include "tests/support/bent_ice.h"
 
 using namespace icebow;
 

@@ -2,14 +2,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../main.h"
 #include "base/units.h"
-#include "ice_block.h"
-#include "solver/energy.h"
-#include "solver/stability.h"
-#include "solver/stepper.h"
-#include "solver/still_ice.h"
-#include "tiny_hull.h"
+#include "solver/ice/energy.h"
+#include "solver/lattice/stability.h"
+#include "solver/step/stepper.h"
+#include "solver/tank/still_ice.h"
+#include "tests/support/ice_block.h"
+#include "tests/support/main.h"
+#include "tests/support/tiny_hull.h"
 
 using namespace icebow;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "bent_ice.h"
-#include "solver/tearing.h"
+#include "solver/tank/tearing.h"
+#include "tests/support/bent_ice.h"
 
 using namespace icebow;
 

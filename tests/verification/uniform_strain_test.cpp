@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "ice_block.h"
-#include "solver/energy.h"
-#include "solver/still_ice.h"
+#include "solver/ice/energy.h"
+#include "solver/tank/still_ice.h"
+#include "tests/support/ice_block.h"
 
 using namespace icebow;
 

@@ -1,11 +1,11 @@
 // The standard tests of ice properties on the lattice, against beam theory and against themselves: see
 // docs/verification.md.
-#include "solver/virtual_tests.h"
+#include "solver/tank/virtual_tests.h"
 
 #include <catch2/catch.hpp>
 
 #include "base/errors.h"
-#include "bent_ice.h"
+#include "tests/support/bent_ice.h"
 
 using namespace icebow;
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "bent_ice.h"
-#include "motion.h"
+#include "tests/support/bent_ice.h"
+#include "tests/support/motion.h"
 
 using namespace icebow;
 

@@ -1,0 +1,33 @@
+#include "hullgen/bow/make_hull.h"
+
+#include <cmath>
+
+#include "hullgen/bow/bow_angles.h"
+#include "hullgen/bow/bow_mesh.h"
+#include "hullgen/bow/family.h"
+#include "hullgen/bow/feasibility.h"
+#include "hullgen/mesh/mesh_check.h"
+
+namespace icebow {
+
+Hull make_hull(const BowParameters& bow) {
+  Hull hull;
+  hull.form = family_form(bow.family).name;
+  hull.requested = bow.angles;
+  hull.feasibility = check_feasibility(bow);
+  hull.reason = hull.feasibility.reason;
+  if (!hull.feasibility.feasible) return hull;
+
+  hull.mesh = bow_mesh(bow);
+  hull.measured = measure_angles(hull.mesh, bow_beam(bow));
+  hull.waterline_at_quarter_beam = std::atan(std::tan(hull.measured.flare) * std::tan(hull.measured.buttock));
+  hull.flare_at_stem = std::atan(std::tan(hull.measured.waterline) / std::tan(hull.measured.stem));
+
+  hull.reason = angle_mismatch(bow.angles, hull.measured);
+  if (hull.reason.empty()) hull.reason = check_mesh(hull.mesh).reason();
+  hull.status = hull.reason.empty() ? HullStatus::ok : HullStatus::mesh_rejected;
+  if (hull.status == HullStatus::mesh_rejected) hull.mesh = QuadMesh();
+  return hull;
+}
+
+}  // namespace icebow

@@ -1,0 +1,43 @@
+#include "reports/content/load_unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/text/text_format.h"
+
+namespace icebow {
+
+LoadUnit load_unit(const Ranking& ranking) {
+  double largest = 0.0;
+  for (const RankedDesign& row : ranking.rows)
+    for (const double load : {row.mean_load, row.lindqvist_breaking})
+      if (std::isfinite(load)) largest = std::max(largest, std::abs(load));
+  if (largest > 0.0 && largest < 1e5) return {"kN", 1e3, largest < 1e4 ? 2 : 1};
+  return {"MN", 1e6, largest < 1e7 ? 3 : 2};
+}
+
+std::string with_interval(double value, double half_width, int decimals) {
+  if (!std::isfinite(half_width)) return fixed(value, decimals);
+  return fixed(value, decimals) + "\u00a0\u00b1\u00a0" + fixed(half_width, decimals);
+}
+
+int decimals_for_interval(double half_width, int least, int most) {
+  if (!std::isfinite(half_width) || half_width <= 0.0) return most;
+  const double exponent = std::floor(std::log10(half_width));
+  const bool starts_with_one = half_width / std::pow(10.0, exponent) < 1.95;
+  return std::clamp(static_cast<int>(-exponent) + (starts_with_one ? 1 : 0), least, most);
+}
+
+std::string ranked_quantity(const std::string& rank_by) {
+  if (rank_by == "mean_load") return "mean ice load";
+  if (rank_by == "mean_load_per_beam") return "mean ice load per metre of beam";
+  if (rank_by == "lindqvist_breaking") return "breaking resistance by Lindqvist's formula";
+  return rank_by;
+}
+
+double value_ci95(const RankedDesign& row, const std::string& rank_by) {
+  if (rank_by == "lindqvist_breaking") return std::nan("");  // a formula has no sampling error
+  return row.mean_load != 0.0 ? row.mean_load_ci95 * row.value / row.mean_load : std::nan("");
+}
+
+}  // namespace icebow

@@ -1,0 +1,30 @@
+// One unit for the loads of a whole report, so that columns compare at a glance.
+#pragma once
+
+#include <string>
+
+#include "study/plan/ranking.h"
+
+namespace icebow {
+
+struct LoadUnit {
+  std::string name;  // "MN"
+  double newtons = 1e6;
+  int decimals = 3;
+};
+
+// MN, or kN where no load reaches 0.1 MN.
+LoadUnit load_unit(const Ranking& ranking);
+
+// "0.812 ± 0.064", without unit; "0.812" where there is no interval.
+std::string with_interval(double value, double half_width, int decimals);
+// Decimals at which the half width keeps one significant digit (two where it starts with 1), at least
+// `least`.
+int decimals_for_interval(double half_width, int least, int most);
+
+// "mean ice load", "mean ice load per metre of beam" ...: what the designs are ranked by.
+std::string ranked_quantity(const std::string& rank_by);
+// Half width of the 95 % interval of RankedDesign::value [unit of value]; NaN where unknown.
+double value_ci95(const RankedDesign& row, const std::string& rank_by);
+
+}  // namespace icebow

@@ -1,0 +1,140 @@
+#include "reports/content/report_content.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "reports/text/inline_svg.h"
+#include "reports/text/json_fields.h"
+#include "study/store/design_files.h"
+
+namespace icebow {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t picture_budget = 12'000'000;  // bytes of PNG in the whole page
+constexpr std::size_t history_points = 40'000;         // of all designs together
+constexpr double plan_height_px = 26.0;
+
+// The file a result names, in the design's own directory whatever the name says.
+fs::path design_file(const fs::path& directory, const Json& result, const std::string& key,
+                     const char* usual) {
+  const std::string named = text_at(result, "/files/" + key);
+  return directory / fs::path(named.empty() ? usual : named).filename();
+}
+
+std::string lines_plan(const fs::path& file, const std::string& id) {
+  try {
+    return fs::exists(file) ? inline_svg(read_text_file(file.string()), id + "-") : std::string();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::vector<Picture> pictures_of(const fs::path& directory, const Json& result) {
+  std::vector<Picture> pictures;
+  const Json& list = part_at(result, "/files/pictures");
+  if (!list.is_array()) return pictures;
+  for (const Json& entry : list) {
+    const fs::path file = directory / fs::path(text_at(entry, "/file")).filename();
+    if (fs::is_regular_file(file)) pictures.push_back({file.string(), number_at(entry, "/advance_m")});
+  }
+  return pictures;
+}
+
+DesignContent read_design(const StudyResults& study, std::size_t index) {
+  const Evaluation& e = study.ranking.rows[index].evaluation;
+  const fs::path directory = design_directory(study.directory, e.name);
+  DesignContent design;
+  design.id = "design-" + std::to_string(index + 1);
+  design.lambda = number_at(e.result, "/simulation/lambda");
+  if (!std::isfinite(design.lambda)) design.lambda = number_at(e.result, "/metrics/lambda");
+  design.waterline = read_waterline(design_file(directory, e.result, "hull", "hull.obj").string());
+  design.lines_plan = lines_plan(design_file(directory, e.result, "lines_plan", "lines.svg"), design.id);
+  design.pictures = pictures_of(directory, e.result);
+  if (e.status == EvaluationStatus::ok && std::isfinite(design.lambda)) {
+    const fs::path history = design_file(directory, e.result, "history", "history.csv");
+    design.history = read_load_series(history.string(), design.lambda, std::pow(design.lambda, 3));
+  }
+  return design;
+}
+
+// `most` of them, equally spaced, the last one kept.
+std::vector<Picture> spread(const std::vector<Picture>& pictures, std::size_t most) {
+  const std::size_t n = pictures.size();
+  if (n <= most) return pictures;
+  std::vector<Picture> kept;
+  for (std::size_t k = 1; k <= most; ++k) kept.push_back(pictures[k * n / most - 1]);
+  return kept;
+}
+
+std::uintmax_t bytes_with(const std::vector<DesignContent>& designs, std::size_t most) {
+  std::uintmax_t bytes = 0;
+  for (const DesignContent& design : designs)
+    for (const Picture& picture : spread(design.pictures, most)) bytes += fs::file_size(picture.path);
+  return bytes;
+}
+
+void fit_pictures(std::vector<DesignContent>& designs) {
+  std::size_t most = 12;
+  while (most > 1 && bytes_with(designs, most) > picture_budget) --most;
+  for (DesignContent& design : designs) {
+    const std::size_t before = design.pictures.size();
+    design.pictures = spread(design.pictures, most);
+    design.pictures_left_out = before - design.pictures.size();
+  }
+}
+
+void thin_histories(std::vector<DesignContent>& designs) {
+  const auto n = static_cast<std::size_t>(std::count_if(
+      designs.begin(), designs.end(), [](const DesignContent& d) { return !d.history.load.empty(); }));
+  if (n == 0) return;
+  const std::size_t most = std::clamp<std::size_t>(history_points / n, 400, 2000);
+  for (DesignContent& design : designs) design.history = thinned(design.history, most);
+}
+
+// One scale for all bows, so that the small pictures compare.
+void scale_bows(ReportContent& content) {
+  double beam = 0.0;
+  for (const DesignContent& design : content.designs) {
+    if (design.waterline.size() < 2) continue;
+    beam = std::max(beam, 2.0 * design.waterline.back()[1]);
+    content.bow_length = std::max(content.bow_length, -design.waterline.back()[0]);
+  }
+  if (beam <= 0.0) return;
+  content.bow_scale = plan_height_px / beam;
+  content.bow_length = std::min(1.08 * content.bow_length, 2.2 * beam);
+}
+
+}  // namespace
+
+bool ReportContent::has_loads() const {
+  return std::any_of(study.ranking.rows.begin(), study.ranking.rows.end(),
+                     [](const RankedDesign& r) { return std::isfinite(r.mean_load); });
+}
+
+bool ReportContent::has_lindqvist() const {
+  return std::any_of(study.ranking.rows.begin(), study.ranking.rows.end(),
+                     [](const RankedDesign& r) { return std::isfinite(r.lindqvist_breaking); });
+}
+
+bool ReportContent::has_histories() const {
+  return std::any_of(designs.begin(), designs.end(),
+                     [](const DesignContent& d) { return !d.history.load.empty(); });
+}
+
+ReportContent read_report_content(const std::string& study_directory) {
+  ReportContent content;
+  content.study = read_study_results(study_directory);
+  content.unit = load_unit(content.study.ranking);
+  for (std::size_t i = 0; i < content.study.ranking.rows.size(); ++i)
+    content.designs.push_back(read_design(content.study, i));
+  fit_pictures(content.designs);
+  thin_histories(content.designs);
+  scale_bows(content);
+  return content;
+}
+
+}  // namespace icebow

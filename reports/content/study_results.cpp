@@ -1,0 +1,108 @@
+#include "reports/content/study_results.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/errors.h"
+#include "reports/text/json_fields.h"
+#include "study/plan/design_space.h"
+#include "study/plan/repeats.h"
+#include "study/spec/read_study.h"
+#include "study/store/store.h"
+
+namespace icebow {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The name a reader knows the study by: its own, else that of its directory.
+std::string study_name(const StudyResults& study) {
+  const std::string name = text_at(study.document, "/name");
+  if (!name.empty()) return name;
+  const fs::path directory = fs::absolute(study.directory).lexically_normal();
+  return (directory.has_filename() ? directory : directory.parent_path()).filename().string();
+}
+
+Json study_document(const std::string& directory, const Store& store) {
+  const fs::path file = fs::path(directory) / "study.json";
+  try {
+    if (fs::exists(file)) return read_json_file(file.string());
+    const std::string fact = store.fact("study");
+    return fact.empty() ? Json() : parse_json(fact, "study");
+  } catch (const InputError&) {
+    return Json();  // the results stand on their own
+  }
+}
+
+// What is planned and has no result yet. An unreadable or older study file is no reason to refuse a report.
+void add_plan(StudyResults& study, const std::vector<Evaluation>& evaluations) {
+  std::set<std::string> known;
+  for (const Evaluation& e : evaluations) known.insert(e.key);
+  for (const Evaluation& e : evaluations)
+    if (e.status == EvaluationStatus::running) study.running.push_back(e.name);
+  try {
+    const StudyPlan plan = plan_study(read_study(study.document, study.name));
+    for (const PlannedDesign& planned : plan.designs)
+      if (planned.mistake.empty() && known.count(planned.key) == 0)
+        study.waiting.push_back(planned.design.name);
+    const int proposed = static_cast<int>(evaluations.size()) - static_cast<int>(plan.designs.size());
+    study.proposals = std::max(0, plan.proposals - std::max(0, proposed));
+  } catch (const std::exception&) {
+    study.waiting.clear();
+  }
+}
+
+void count_statuses(StudyResults& study, const std::vector<Evaluation>& evaluations) {
+  for (const Evaluation& e : evaluations) {
+    if (e.status == EvaluationStatus::ok) ++study.ok;
+    if (e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1) ++study.infeasible;
+    if (e.status == EvaluationStatus::failed) ++study.failed;
+    study.wall_seconds += e.wall_seconds;
+  }
+}
+
+std::string rank_by(const Store& store) {
+  const std::string fact = store.fact("rank_by");
+  return fact.empty() ? StudySpec().rank_by : fact;
+}
+
+// Lists and grids draw no random numbers.
+std::string seed(const Json& document, const Store& store) {
+  const std::string method = text_at(document, "/method/type");
+  return method == "latin_hypercube" || method == "optimise" ? store.fact("seed") : std::string();
+}
+
+}  // namespace
+
+int StudyResults::ranked() const {
+  return static_cast<int>(std::count_if(ranking.rows.begin(), ranking.rows.end(),
+                                        [](const RankedDesign& row) { return row.rank > 0; }));
+}
+
+StudyResults read_study_results(const std::string& directory) {
+  const fs::path database = fs::path(directory) / "results.sqlite";
+  if (!fs::exists(database))
+    throw InputError(directory + " holds no study: " + database.string() +
+                     " is missing. Name the output directory of `icebow run`.");
+  const Store store = Store::open_read_only(database.string());
+  const std::vector<Evaluation> evaluations = store.all();
+
+  StudyResults study;
+  study.directory = directory;
+  study.document = study_document(directory, store);
+  study.name = study_name(study);
+  study.purpose = text_at(study.document, "/purpose");
+  study.command = store.fact("command");
+  study.version = store.fact("version");
+  study.host = store.fact("host");
+  study.started = store.fact("started");
+  study.state = store.fact("state");
+  study.seed = seed(study.document, store);
+  study.ranking = rank_designs(evaluations, rank_by(store));
+  count_statuses(study, evaluations);
+  add_plan(study, evaluations);
+  return study;
+}
+
+}  // namespace icebow

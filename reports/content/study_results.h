@@ -1,0 +1,33 @@
+// A study directory as the reports see it. Nothing else is read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/plan/ranking.h"
+
+namespace icebow {
+
+struct StudyResults {
+  std::string directory;
+  std::string name, purpose;
+  std::string command, version, host, started;  // of the run; empty where unknown
+  std::string state;                            // "running", "interrupted", "finished"; empty where unknown
+  Json document;                                // study.json; null where unreadable
+  Ranking ranking;
+  int ok = 0, infeasible = 0, failed = 0;
+  std::vector<std::string> running;  // started, no result yet
+  std::vector<std::string> waiting;  // planned, not started
+  int proposals = 0;                 // an optimiser may still propose this many
+  double wall_seconds = 0.0;         //!< sum over the designs [s]
+  std::string seed;                  // empty where the method draws nothing
+
+  int evaluated() const { return ok + infeasible + failed; }
+  bool finished() const { return state.empty() ? running.empty() && waiting.empty() : state == "finished"; }
+  int ranked() const;  // rows with a rank; they come first in ranking.rows
+};
+
+// Throws InputError where the directory holds no study (no results.sqlite).
+StudyResults read_study_results(const std::string& directory);
+
+}  // namespace icebow

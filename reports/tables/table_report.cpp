@@ -1,0 +1,142 @@
+// ranking.csv for programs, ranking.md for people.
+#include "reports/tables/table_report.h"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "reports/content/load_unit.h"
+#include "reports/content/verdict.h"
+#include "reports/text/json_fields.h"
+#include "reports/text/text_format.h"
+
+namespace icebow {
+namespace {
+
+const char* const angles[] = {"stem", "waterline", "buttock", "flare"};
+
+// Every parameter any design of the study was given.
+std::set<std::string> parameter_names(const Ranking& ranking) {
+  std::set<std::string> names;
+  for (const RankedDesign& row : ranking.rows)
+    for (const auto& [name, value] : row.evaluation.parameters) names.insert(name);
+  return names;
+}
+
+std::string csv_row(const RankedDesign& row, const std::set<std::string>& parameters) {
+  const Evaluation& e = row.evaluation;
+  const auto result = [&](const char* pointer) { return ',' + csv_number(number_at(e.result, pointer)); };
+  std::string line =
+      (row.rank > 0 ? std::to_string(row.rank) : "") + ',' + csv_field(e.name) + ',' + to_string(e.status);
+  for (const char* angle : angles) line += ',' + csv_number(measured_or_requested(e.result, angle));
+  line += ',' + csv_number(row.mean_load) + ',' + csv_number(row.mean_load_ci95);
+  line += result("/metrics/full_scale/max_load_N") + result("/metrics/full_scale/q95_load_N");
+  line += result("/metrics/full_scale/std_load_N") + result("/metrics/mean_load_N") +
+          result("/metrics/mean_load_ci95_N");
+  line +=
+      result("/lindqvist/crushing_N") + result("/lindqvist/bending_N") + result("/lindqvist/submersion_N");
+  line +=
+      ',' + csv_number(row.lindqvist_breaking) + result("/lindqvist/total_N") + ',' + csv_number(row.ratio);
+  line += std::string(",") + (row.tied_with_best ? "1" : "0") + ',' + (row.tied_with_next ? "1" : "0");
+  line +=
+      ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
+  line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
+  for (const std::string& name : parameters) {
+    const auto it = e.parameters.find(name);
+    line += ',' + (it == e.parameters.end() ? std::string() : csv_number(it->second));
+  }
+  return line + '\n';
+}
+
+std::string markdown_row(const RankedDesign& row, const LoadUnit& unit) {
+  const Json& result = row.evaluation.result;
+  const auto load = [&](double newtons) { return fixed(newtons / unit.newtons, unit.decimals); };
+  std::string line =
+      "| " + (row.rank > 0 ? std::to_string(row.rank) : "\u2013") + (row.tied_with_best ? " \u2248" : "");
+  line += " | " + markdown_escaped(row.evaluation.name);
+  for (const char* angle : angles) line += " | " + fixed(measured_or_requested(result, angle), 1);
+  line +=
+      " | " + with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
+  line += " | " + load(number_at(result, "/metrics/full_scale/max_load_N")) + " | " +
+          load(row.lindqvist_breaking);
+  return line + " | " + fixed(row.ratio, 2) + " |\n";
+}
+
+std::string markdown_unranked(const Ranking& ranking) {
+  std::string text;
+  for (const RankedDesign& row : ranking.rows) {
+    if (row.rank > 0) continue;
+    text += "- **" + markdown_escaped(row.evaluation.name) + "** " + to_string(row.evaluation.status);
+    if (!row.evaluation.reason.empty()) text += ": " + markdown_escaped(row.evaluation.reason);
+    text += '\n';
+  }
+  return text.empty() ? text : "\n## Not ranked\n\n" + text;
+}
+
+std::string markdown_provenance(const StudyResults& study) {
+  std::string text = "\n## Provenance\n\n";
+  const std::pair<const char*, std::string> facts[] = {
+      {"Command", study.command.empty() ? "" : '`' + study.command + '`'},
+      {"Version", study.version},
+      {"Started", study.started},
+      {"Host", study.host},
+      {"Seed", study.seed},
+      {"Designs evaluated", std::to_string(study.evaluated())},
+      {"Wall time, sum over designs", duration(study.wall_seconds)}};
+  for (const auto& [name, value] : facts)
+    if (!value.empty()) text += std::string("- ") + name + ": " + value + '\n';
+  return text;
+}
+
+}  // namespace
+
+double measured_or_requested(const Json& result, const std::string& angle) {
+  const double measured = number_at(result, "/hull/measured_deg/" + angle);
+  return std::isfinite(measured) ? measured : number_at(result, "/hull/requested_deg/" + angle);
+}
+
+std::string ranking_csv(const StudyResults& study) {
+  const std::set<std::string> parameters = parameter_names(study.ranking);
+  std::string text =
+      "rank,design,status,stem_deg,waterline_deg,buttock_deg,flare_deg,mean_load_N,mean_load_ci95_N,max_load_"
+      "N,"
+      "q95_load_N,std_load_N,model_mean_load_N,model_mean_load_ci95_N,lindqvist_crushing_N,lindqvist_bending_"
+      "N,"
+      "lindqvist_submersion_N,lindqvist_breaking_N,lindqvist_total_N,ratio,tied_with_best,tied_with_next,"
+      "runs,ci95_series_N,ci95_repeats_N,wall_s,reason";
+  for (const std::string& name : parameters) text += ',' + csv_field(name);
+  text += '\n';
+  for (const RankedDesign& row : study.ranking.rows) text += csv_row(row, parameters);
+  return text;
+}
+
+std::string ranking_markdown(const StudyResults& study) {
+  const LoadUnit unit = load_unit(study.ranking);
+  const Verdict words = verdict(study);
+  std::string text = "# " + markdown_escaped(study.name) + "\n\n";
+  if (!study.purpose.empty()) text += markdown_escaped(study.purpose) + "\n\n";
+  text += "**" + markdown_escaped(words.headline) + "**\n";
+  for (const std::string& remark : words.remarks) text += markdown_escaped(remark) + '\n';
+  if (study.ranked() > 0) {
+    text +=
+        "\n| rank | design | stem, deg | waterline, deg | buttock, deg | flare, deg | mean load \u00b1 "
+        "95\u00a0%, " +
+        unit.name + " | peak, " + unit.name + " | Lindqvist breaking, " + unit.name +
+        " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    for (const RankedDesign& row : study.ranking.rows)
+      if (row.rank > 0) text += markdown_row(row, unit);
+    text +=
+        "\nFull scale. \u2248: the 95\u00a0% interval overlaps that of rank 1. Ratio: mean load over "
+        "Lindqvist's breaking part.\n";
+  }
+  return text + markdown_unranked(study.ranking) + markdown_provenance(study);
+}
+
+void write_table_reports(const std::string& study_directory) {
+  const StudyResults study = read_study_results(study_directory);
+  const std::filesystem::path directory(study_directory);
+  write_text_file((directory / "ranking.csv").string(), ranking_csv(study));
+  write_text_file((directory / "ranking.md").string(), ranking_markdown(study));
+}
+
+}  // namespace icebow

@@ -1,0 +1,248 @@
+#include "base/parallel_file.h"
+
+#include <hdf5.h>
+
+#include <cassert>
+#include <cstdio>
+
+#include "base/communicator_native.h"
+#include "base/errors.h"
+
+namespace icebow {
+namespace {
+
+// An identifier of HDF5, given back at the end of its life.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+  bool ok() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+// What HDF5 says went wrong, from the innermost call.
+std::string last_error() {
+  std::string text;
+  const auto take = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
+    std::string& first = *static_cast<std::string*>(out);
+    if (first.empty() && error->desc) first = error->desc;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &text);
+  return text;
+}
+
+std::vector<hsize_t> sizes(const std::vector<std::uint64_t>& values) {
+  return {values.begin(), values.end()};
+}
+
+// MPI-IO has no place for an array without elements.
+bool is_empty(const Slab& slab) {
+  for (std::uint64_t n : slab.extent) {
+    if (n == 0) return true;
+  }
+  return false;
+}
+
+// A selection of HDF5; nothing where a count is 0.
+hid_t selection(const Slab& slab) {
+  const std::vector<hsize_t> extent = sizes(slab.extent), start = sizes(slab.start),
+                             count = sizes(slab.count);
+  const hid_t space = H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr);
+  if (space < 0) return space;
+  bool empty = false;
+  for (hsize_t n : count) empty = empty || n == 0;
+  if (empty) {
+    H5Sselect_none(space);
+  } else {
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  }
+  return space;
+}
+
+}  // namespace
+
+Slab Slab::whole(const std::vector<std::uint64_t>& extent) {
+  return {extent, std::vector<std::uint64_t>(extent.size(), 0), extent};
+}
+
+Slab Slab::nothing(const std::vector<std::uint64_t>& extent) {
+  return {extent, std::vector<std::uint64_t>(extent.size(), 0), std::vector<std::uint64_t>(extent.size(), 0)};
+}
+
+struct ParallelFile::Native {
+  Communicator comm;
+  std::string path;
+  hid_t file = H5I_INVALID_HID, transfer = H5P_DEFAULT;
+  const char* doing = "read";
+
+  Native(const Communicator& c, const std::string& p) : comm(c), path(p) {}
+  ~Native() {
+    if (transfer != H5P_DEFAULT) H5Pclose(transfer);
+    if (file >= 0) H5Fclose(file);
+  }
+
+  // Through MPI-IO, and together, where there is more than one rank.
+  hid_t access() {
+    // At the end of the program HDF5 would try again, and crash, on a file that a full disk left unfinished.
+    // Those that were closed are whole.
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const hid_t properties = H5Pcreate(H5P_FILE_ACCESS);
+    if (comm.size() == 1) return properties;
+    H5Pset_fapl_mpio(properties, comm.native()->comm, MPI_INFO_NULL);
+    transfer = H5Pcreate(H5P_DATASET_XFER);
+    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    return properties;
+  }
+
+  void agree(bool ok, const std::string& why) const {
+    fail_together(comm, ok ? "" : "cannot " + std::string(doing) + " " + path + ": " + why);
+  }
+  void agree(bool ok) const { agree(ok, ok ? std::string() : last_error()); }
+
+  static hid_t native_type(Type type) {
+    switch (type) {
+      case Type::f32:
+        return H5T_NATIVE_FLOAT;
+      case Type::f64:
+        return H5T_NATIVE_DOUBLE;
+      case Type::i8:
+        return H5T_NATIVE_INT8;
+      case Type::u8:
+        return H5T_NATIVE_UINT8;
+      case Type::i16:
+        return H5T_NATIVE_INT16;
+      case Type::u16:
+        return H5T_NATIVE_UINT16;
+      case Type::i32:
+        return H5T_NATIVE_INT32;
+      case Type::u32:
+        return H5T_NATIVE_UINT32;
+      case Type::i64:
+        return H5T_NATIVE_INT64;
+      case Type::u64:
+        return H5T_NATIVE_UINT64;
+    }
+    return H5I_INVALID_HID;
+  }
+};
+
+ParallelFile::ParallelFile(const Communicator& comm, const std::string& path)
+    : native_(std::make_unique<Native>(comm, path)) {}
+ParallelFile::ParallelFile(ParallelFile&&) noexcept = default;
+ParallelFile::~ParallelFile() = default;
+
+ParallelFile ParallelFile::create(const Communicator& comm, const std::string& path) {
+  ParallelFile f(comm, path);
+  Native& n = *f.native_;
+  n.doing = "write";
+  const Handle access(n.access(), H5Pclose);
+  n.file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  n.agree(n.file >= 0);
+  return f;
+}
+
+ParallelFile ParallelFile::open(const Communicator& comm, const std::string& path) {
+  ParallelFile f(comm, path);
+  Native& n = *f.native_;
+  const Handle access(n.access(), H5Pclose);
+  n.file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  n.agree(n.file >= 0);
+  return f;
+}
+
+bool ParallelFile::is_root() const {
+  return native_->comm.is_root();
+}
+
+// Datasets whose sizes differ between ranks part their ideas of the file: it is damaged, or never closed.
+std::uint64_t ParallelFile::of_root(std::uint64_t value) const {
+  native_->comm.broadcast(&value, sizeof value);
+  return value;
+}
+
+void ParallelFile::group(const std::string& name) {
+  const Handle made(H5Gcreate2(native_->file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  native_->agree(made.ok());
+}
+
+void ParallelFile::write_raw(const std::string& name, Type type, const Slab& in_file, const void* memory,
+                             const Slab& in_memory) {
+  assert(in_file.count.size() == in_file.extent.size());
+  Native& n = *native_;
+  const hid_t native_type = Native::native_type(type);
+  const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
+  const Handle set(
+      H5Dcreate2(n.file, name.c_str(), native_type, there, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  n.agree(set.ok());
+  if (is_empty(in_file)) return;
+  n.agree(H5Dwrite(set, native_type, here, there, n.transfer, memory) >= 0);
+}
+
+void ParallelFile::read_raw(const std::string& name, Type type, const Slab& in_file, void* memory,
+                            const Slab& in_memory) {
+  Native& n = *native_;
+  const Handle set(H5Dopen2(n.file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  n.agree(set.ok());
+  const Handle stored(H5Dget_space(set), H5Sclose), there(selection(in_file), H5Sclose),
+      here(selection(in_memory), H5Sclose);
+  n.agree(H5Sextent_equal(stored, there) > 0, name + " has another size than it should");
+  if (is_empty(in_file)) return;
+  n.agree(H5Dread(set, Native::native_type(type), here, there, n.transfer, memory) >= 0);
+}
+
+std::uint64_t ParallelFile::length(const std::string& name) {
+  const Handle set(H5Dopen2(native_->file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  native_->agree(set.ok());
+  const Handle space(H5Dget_space(set), H5Sclose);
+  native_->agree(H5Sget_simple_extent_ndims(space) == 1, name + " is not a list");
+  hsize_t n = 0;
+  H5Sget_simple_extent_dims(space, &n, nullptr);
+  return n;
+}
+
+void ParallelFile::write_text(const std::string& name, const std::string& text) {
+  write_list(name, std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+std::string ParallelFile::read_text(const std::string& name) {
+  const std::vector<std::uint8_t> bytes = read_list<std::uint8_t>(name);
+  return std::string(bytes.begin(), bytes.end());
+}
+
+void ParallelFile::attribute(const std::string& object, const std::string& name,
+                             const std::vector<std::int64_t>& values) {
+  const hsize_t n = values.size();
+  const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose);
+  const Handle made(H5Acreate_by_name(native_->file, object.c_str(), name.c_str(), H5T_NATIVE_INT64, space,
+                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                    H5Aclose);
+  native_->agree(made.ok() && H5Awrite(made, H5T_NATIVE_INT64, values.data()) >= 0);
+}
+
+void ParallelFile::attribute(const std::string& object, const std::string& name, const std::string& text) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, text.size());
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  const Handle made(H5Acreate_by_name(native_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT,
+                                      H5P_DEFAULT, H5P_DEFAULT),
+                    H5Aclose);
+  native_->agree(made.ok() && H5Awrite(made, type, text.data()) >= 0);
+}
+
+void ParallelFile::close() {
+  const hid_t file = native_->file;
+  native_->file = H5I_INVALID_HID;
+  native_->agree(H5Fclose(file) >= 0);
+}
+
+}  // namespace icebow

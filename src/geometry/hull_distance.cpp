@@ -1,0 +1,74 @@
+#include "geometry/hull_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace icebow {
+namespace {
+
+// Both searches end here, so that they agree to the last bit.
+ClosestPoint oriented(const TriangleSurface& surface, int triangle, const TrianglePoint& at, const Vec3& p) {
+  ClosestPoint result;
+  result.point = at.point;
+  result.normal = surface.normal(triangle, at.feature);
+  const double distance = std::sqrt(at.squared_distance);
+  result.signed_distance = (p - at.point).dot(result.normal) < 0.0 ? -distance : distance;
+  result.quad = surface.quad(triangle);
+  return result;
+}
+
+Box common(const Box& a, const Box& b) {
+  return {a.lower.cwiseMax(b.lower), a.upper.cwiseMin(b.upper)};
+}
+
+}  // namespace
+
+ClosestPoint closest_brute_force(const TriangleSurface& surface, const Vec3& p) {
+  int nearest = 0;
+  TrianglePoint best = closest_on_triangle(surface.corners(0), p);
+  for (std::size_t t = 1; t < surface.size(); ++t) {
+    const TrianglePoint at = closest_on_triangle(surface.corners(t), p);
+    if (at.squared_distance < best.squared_distance) best = at, nearest = static_cast<int>(t);
+  }
+  return oriented(surface, nearest, best, p);
+}
+
+HullDistance::HullDistance(const QuadMesh& mesh, const Box& region)
+    : surface_(mesh),
+      tree_(surface_),
+      cells_(make_hull_cells(surface_, tree_, common(bounding_box(mesh), region))) {}
+
+ClosestPoint HullDistance::closest(const Vec3& p) const {
+  const Eigen::Vector3f f = p.cast<float>();
+  const NearestTriangle nearest = cells_.closest(tree_, cells_.kind_at(f.x(), f.y(), f.z()), p);
+  return oriented(surface_, nearest.triangle, nearest.at, p);
+}
+
+void HullDistance::find_inside(const float* x, const float* y, const float* z, std::size_t n,
+                               const Vec3& hull_origin, std::vector<InsidePoint>& found) const {
+  constexpr std::size_t block = 256;
+  std::array<float, block> hx, hy, hz;  // in the hull frame
+  std::array<std::int32_t, block> cell;
+  const double ox = hull_origin.x(), oy = hull_origin.y(), oz = hull_origin.z();
+  for (std::size_t begin = 0; begin < n; begin += block) {
+    const std::size_t count = std::min(block, n - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      hx[i] = static_cast<float>(x[begin + i] - ox);
+      hy[i] = static_cast<float>(y[begin + i] - oy);
+      hz[i] = static_cast<float>(z[begin + i] - oz);
+      cell[i] = cells_.grid.cell(hx[i], hy[i], hz[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t kind = cells_.kind[cell[i]];
+      if (kind == 0 || !cells_.may_be_inside(kind, hx[i], hy[i], hz[i])) continue;
+      const std::size_t index = begin + i;
+      const Vec3 p = Vec3(x[index], y[index], z[index]) - hull_origin;
+      const NearestTriangle nearest = cells_.closest(tree_, kind, p);
+      const ClosestPoint at = oriented(surface_, nearest.triangle, nearest.at, p);
+      if (at.signed_distance < 0.0) found.push_back({index, at});
+    }
+  }
+}
+
+}  // namespace icebow

@@ -1,0 +1,71 @@
+// Where a point lies relative to a rigid hull: the fast contact detection. The hull is fixed in its own
+// frame; callers say where that frame's origin is.
+//
+// The surface is each quad split into two triangles along its shorter diagonal, so a warped quad is still
+// watertight. Signed distance is negative inside; its sign comes from angle-weighted pseudo-normals
+// (Baerentzen and Aanaes 2005), right at edges and corners of a closed mesh.
+//
+// Two structures make a query cheap whatever the number of panels: a uniform grid whose cells know whether
+// they are outside, inside or crossed by the surface, and which triangles matter to them (hull_cells.h), and
+// a tree of boxes for the few points far from the surface (triangle_tree.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/hull_cells.h"
+#include "geometry/quad_mesh.h"
+#include "geometry/triangle_surface.h"
+#include "geometry/triangle_tree.h"
+
+namespace icebow {
+
+struct ClosestPoint {
+  double signed_distance = 0.0;  //!< [m], negative inside
+  Vec3 point = Vec3::Zero();     // on the surface
+  Vec3 normal = Vec3::Zero();    // outward unit normal there, the pseudo-normal on an edge or corner
+  int quad = -1;                 // of the mesh; the lowest number where several are equally near
+};
+
+// The reference: every triangle is asked.
+ClosestPoint closest_brute_force(const TriangleSurface& surface, const Vec3& p);
+
+// A point found inside the hull, by its number in the arrays asked.
+struct InsidePoint {
+  std::size_t index = 0;
+  ClosestPoint closest;  // in the hull frame
+};
+
+class HullDistance {
+ public:
+  // Points of `region` (hull frame) will be asked for contact: the grid covers what the region and the hull's
+  // bounding box share with 1 to 4 million cells, the finer the smaller the panels. Memory: 4 bytes a cell,
+  // up to 176 bytes a cell that the surface crosses, about 500 bytes a quad. Throws InputError for a mesh
+  // that is not closed.
+  HullDistance(const QuadMesh& mesh, const Box& region);
+
+  // False at once for points that are certainly outside the hull or outside the region.
+  bool may_be_inside(const Vec3& p) const {
+    const Eigen::Vector3f f = p.cast<float>();
+    return cells_.may_be_inside(cells_.kind_at(f.x(), f.y(), f.z()), f.x(), f.y(), f.z());
+  }
+  // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast near and inside the
+  // hull.
+  ClosestPoint closest(const Vec3& p) const;
+
+  // Appends those of n points (minus the hull's origin) in the region with a negative signed distance, in
+  // order.
+  void find_inside(const float* x, const float* y, const float* z, std::size_t n, const Vec3& hull_origin,
+                   std::vector<InsidePoint>& found) const;
+
+  const TriangleSurface& surface() const { return surface_; }
+  const CellGrid& grid() const { return cells_.grid; }
+  std::size_t bytes() const { return surface_.bytes() + tree_.bytes() + cells_.bytes(); }
+
+ private:
+  TriangleSurface surface_;
+  TriangleTree tree_;
+  HullCells cells_;
+};
+
+}  // namespace icebow

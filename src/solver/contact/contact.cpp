@@ -1,0 +1,151 @@
+#include "solver/contact/contact.h"
+
+#include <algorithm>
+
+namespace icebow {
+namespace {
+
+// Coulomb: the hull drags the sliding particle, at most to its own speed.
+Vec3 friction(double mu, const Vec3& relative_velocity, const Vec3& normal, double normal_delta_v) {
+  const Vec3 tangential = relative_velocity - relative_velocity.dot(normal) * normal;
+  const double speed = tangential.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(1.0, mu * normal_delta_v / speed) * tangential;
+}
+
+}  // namespace
+
+double CrushingLaw::bearable(double depth) const {
+  const double rise = ramp * dx;
+  return strength * (std::clamp(depth / rise, 0.0, 1.0) - std::clamp((depth - dx) / rise, 0.0, 1.0));
+}
+
+double CrushingLaw::force(double depth, double& crushed) const {
+  const double elastic = std::max(0.0, stiffness * (depth - crushed)), most = bearable(depth);
+  if (elastic <= most) return elastic;
+  crushed = depth - most / stiffness;
+  return most;
+}
+
+// Stiff enough that what it stores is nothing beside the work of crushing (2 p_c/E of it, some 0.4 %), soft
+// enough that the time step is 4 % shorter for it.
+double contact_stiffness(const Scenario& s) {
+  const double cube = s.ice.E * s.numerics.dx;
+  switch (s.numerics.contact) {
+    case ContactRule::penalty:
+      return cube;
+    case ContactRule::crushing:
+      return 0.25 * cube;
+    case ContactRule::relocation:
+    case ContactRule::paper:
+      break;
+  }
+  return 0.0;
+}
+
+ContactResponse respond(const ContactSettings& s, const ClosestPoint& hit, const Vec3& velocity,
+                        double& crushed) {
+  const Vec3 relative = velocity - Vec3(s.V, 0.0, 0.0);
+  const double approach = std::max(0.0, -relative.dot(hit.normal));
+  const double depth = -hit.signed_distance;
+  ContactResponse r;
+  double normal_delta_v = 0.0;
+  switch (s.rule) {
+    case ContactRule::relocation:
+      r.push = depth * hit.normal;
+      normal_delta_v = approach;
+      break;
+    case ContactRule::paper:
+      // v_new = (u_new - u_old)/dt: the push itself becomes velocity. Capped at what the particle can have
+      // covered within the step: deeper ones did not get there by moving against the hull.
+      r.push = depth * hit.normal;
+      normal_delta_v = std::min(depth, relative.norm() * s.dt) / s.dt;
+      break;
+    case ContactRule::penalty:
+      normal_delta_v = s.stiffness * depth * s.dt / s.particle_mass;
+      break;
+    case ContactRule::crushing:
+      normal_delta_v = s.crushing.force(depth, crushed) * s.dt / s.particle_mass;
+      break;
+  }
+  r.delta_v = normal_delta_v * hit.normal + friction(s.friction, relative, hit.normal, normal_delta_v);
+  return r;
+}
+
+HullContact::HullContact(const QuadMesh& hull, const Box& region, const ContactSettings& settings)
+    : distance_(hull, region), settings_(settings) {
+  for (const auto& quad : hull.quads) {
+    const Vec3 &a = hull.points[quad[0]], &b = hull.points[quad[1]], &c = hull.points[quad[2]],
+               &d = hull.points[quad[3]];
+    faces_.push_back({0.25 * (a + b + c + d), (c - a).cross(d - b).normalized()});
+  }
+}
+
+// Ice that is being crushed is up to two spacings deep, where the nearest face may be another than the one it
+// met: the side of a stem bar instead of its front. The face that it met presses it on, until it has slid to
+// one of nearly the same direction or left the hull. `face` is the quad's number plus 1, or 0.
+ClosestPoint HullContact::in_contact(const ClosestPoint& hit, const Vec3& position, int& face) const {
+  constexpr double same_direction = 0.7;  // cosine of 45 degrees
+  if (face == 0 || faces_[face - 1].normal.dot(faces_[hit.quad].normal) > same_direction) {
+    face = hit.quad + 1;
+    return hit;
+  }
+  const Plane& met = faces_[face - 1];
+  const double distance = (position - met.point).dot(met.normal);
+  return {distance, position - distance * met.normal, met.normal, face - 1};
+}
+
+int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
+                       ContactLedger& ledger) const {
+  const Layout& layout = sheet.layout;
+  int contacts = 0;
+  for (int jl = jl0; jl < jl1; ++jl) {
+    for (int k = 0; k < layout.nz; ++k) {
+      const std::size_t row = layout.row(jl, k);
+      const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
+      for (int b = 0; b < layout.blocks; ++b) {
+        if (!sheet.near_hull(jl, k, b)) continue;
+        for (int l = b * block; l < (b + 1) * block; ++l) {
+          if (!sheet.mobile(jl, l)) continue;
+          const std::size_t p = row + l;
+          const Vec3 position(sheet.lattice.x(layout.i0 + l) + sheet.u[0][p] - hull_x, y + sheet.u[1][p],
+                              z + sheet.u[2][p]);
+          if (!distance_.may_be_inside(position)) continue;
+          ClosestPoint hit = distance_.closest(position);
+          if (hit.signed_distance >= 0.0) {
+            if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
+            ledger.passed(p, z);
+            continue;
+          }
+          const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
+          double crushed = sheet.crushed_depth[p];
+          if (settings_.rule == ContactRule::crushing) {
+            if (settings_.crushing.used_up(crushed)) continue;
+            int face = static_cast<int>(sheet.touched_face[p]);
+            hit = in_contact(hit, position, face);
+            sheet.touched_face[p] = face;
+          }
+          const ContactResponse r = respond(settings_, hit, v_before, crushed);
+          sheet.crushed_depth[p] = crushed;
+          if (settings_.crushing.used_up(crushed)) sheet.extra_strength[p] = IceSheet::crushed;
+          ++contacts;
+          Vec3 delta_v, push = Vec3::Zero();  // as stored: the hull gets exactly what the ice lost
+          for (int c = 0; c < 3; ++c) {
+            sheet.v[c][p] = v_before[c] + r.delta_v[c];
+            delta_v[c] = sheet.v[c][p] - v_before[c];
+            if (r.push[c] == 0.0) continue;
+            const double u_before = sheet.u[c][p] + sheet.residual[c][p];
+            sheet.u[c][p] = sheet.u[c][p] + r.push[c];
+            sheet.residual[c][p] = 0.0;
+            push[c] = sheet.u[c][p] - u_before;
+          }
+          impulse.add(-settings_.particle_mass * delta_v, hit.point);
+          ledger.struck(p, z, v_before, delta_v, push);
+        }
+      }
+    }
+  }
+  return contacts;
+}
+
+}  // namespace icebow

@@ -1,0 +1,61 @@
+// Ice against ice: particles without a bond between them push each other back when they come nearer than a
+// spacing. Equation (42) of docs/theory.md.
+//
+// Only ice near broken bonds is looked at. Pairs are found every pairs_every steps and at every sample, from
+// displacements and bonds alone, so that a continued run finds the same ones; a bond that breaks in between
+// is a pair from the next time on. Sums go by the particles' numbers: the same on any number of ranks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/communicator.h"
+#include "solver/contact/contact_energy.h"
+#include "solver/contact/contact_pairs.h"
+#include "solver/ice/energy.h"
+#include "solver/ice/sheet.h"
+#include "solver/model/scenario.h"
+
+namespace icebow {
+
+constexpr int pairs_every = 40;  // steps
+
+// What one particle does to another, SI.
+struct FloeContactLaw {
+  double distance = 0.0;   //!< below which they touch [m]
+  double stiffness = 0.0;  //!< [N/m]
+  double damping = 0.0;    //!< [N s/m]
+  double strongest = 0.0;  //!< the ice is crushed at this force [N]
+
+  // Force on the one from which the other lies `away` [m], the other moving at `velocity` relative to it
+  // [m/s].
+  Vec3 force(const Vec3& away, const Vec3& velocity) const;
+};
+FloeContactLaw floe_contact_law(const Scenario& scenario, const Material& material);
+
+// In quanta of the energy model.
+struct FloeWork {
+  std::int64_t taken = 0;    // from the ice, what the contacts store and give back included
+  std::int64_t by_hull = 0;  // given to it by the hull's relocations against contacts
+};
+
+class FloeContact {
+ public:
+  FloeContact(const Communicator& comm, const Scenario& scenario, const Material& material,
+              const EnergyModel& model);
+  bool acts() const { return acts_; }
+
+  // Both collective.
+  void find_pairs(const IceSheet& sheet);
+  // Adds to the accelerations of this rank's ice, which must hold the bonds' part and which the hull has
+  // struck (by place).
+  FloeWork apply(IceSheet& sheet, const std::vector<HullStrike>& strikes);
+
+ private:
+  bool acts_;
+  FloeContactLaw law_;
+  EnergyModel model_;
+  ContactPairs pairs_;
+};
+
+}  // namespace icebow

@@ -1,0 +1,257 @@
+#include "solver/ice/sheet.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace icebow {
+namespace {
+
+// Columns held at a fixed edge: as many as a bond can reach, so that the free ice never feels the edge's
+// surface.
+constexpr int held_columns = reach;
+
+// Bonds of linear blocks stay this far below the critical stretch.
+constexpr double linear_stretch = 0.25;
+
+}  // namespace
+
+BondBits::BondBits(const Lattice& lattice, const Layout& layout, const Stencil& stencil)
+    : blocks_(layout.blocks),
+      columns_(layout.columns),
+      per_block_(stencil.column_slots()),
+      first_slot_(stencil.first_slot),
+      words_(std::size_t(layout.columns + reach) * (layout.blocks + 2) * stencil.column_slots()) {
+  for (int jl = -reach; jl < layout.columns; ++jl) {
+    for (int b = -1; b <= layout.blocks; ++b) {
+      for (int k = 0; k < lattice.nz; ++k) {
+        std::uint16_t* words = &words_[index(jl, b, k)];
+        for (int s = 0; s < stencil.slots(k); ++s) {
+          words[s] = whole(lattice, stencil.half[k][s], layout.i0 + b * block, layout.j0 + jl);
+        }
+      }
+    }
+  }
+}
+
+std::uint16_t BondBits::whole(const Lattice& lattice, const Offset& o, int first, int j) {
+  // Below 0 are the mirror images of a half model: their bonds among themselves are the port half's.
+  if ((j < 0 && !(lattice.half && j + o.dj >= 0)) || j + o.dj >= lattice.ny) return 0;
+  unsigned word = 0;
+  for (int l = 0; l < block; ++l) {
+    const int i = first + l, i2 = i + o.di;
+    if (i >= 0 && i < lattice.nx && i2 >= 0 && i2 < lattice.nx) word |= 1u << l;
+  }
+  return static_cast<std::uint16_t>(word);
+}
+
+std::int64_t BondBits::count(int jl0, int jl1) const {
+  std::int64_t n = 0;
+  for (int jl = jl0; jl < jl1; ++jl) {
+    const std::uint16_t* words = row(jl, 0);
+    for (int w = 0; w < blocks_ * per_block_; ++w) n += __builtin_popcount(words[w]);
+  }
+  return n;
+}
+
+IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, const Material& material,
+                   const Kernels& kernels_used)
+    : lattice(l),
+      partition(p),
+      layout(l, p),
+      stencil(make_stencil(l.nz, l.dx, material.delta)),
+      kernel(kernels_used),
+      precision(s.numerics.precision),
+      u{{layout.size, precision, 0}, {layout.size, precision, 1}, {layout.size, precision, 2}},
+      v{{layout.size, precision, 3}, {layout.size, precision, 4}, {layout.size, precision, 5}},
+      residual{{layout.size, precision, 6}, {layout.size, precision, 7}, {layout.size, precision, 8}},
+      acceleration{{layout.size, precision, 9}, {layout.size, precision, 10}, {layout.size, precision, 11}},
+      theta(layout.size, precision, 12),
+      extra_strength(layout.size, precision, 13),
+      crushed_depth(layout.size, precision, 14),
+      touched_face(layout.size, precision, 15),
+      bits(l, layout, stencil),
+      sides_held_(s.sheet.fixed != FixedEdges::none),
+      // What a window lays ahead is at rest: bonds to ice that moves would be torn as they are made.
+      far_end_held_(s.sheet.fixed == FixedEdges::sides_and_far || s.sheet.window_ahead > 0.0),
+      work_(make_work(s, material)),
+      state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
+      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
+  if (s.sheet.window_ahead > 0.0) hold_far_end_together();
+  // A bond across the symmetry plane and its image must break together, so both by the same arithmetic.
+  if (at_symmetry_plane()) std::fill_n(state_.begin(), reach * l.nz * (layout.blocks + 2), touched);
+}
+
+std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
+    const Scenario& s, const Material& material) const {
+  if (precision == Precision::fp64) return make_work<double>(s, material);
+  return make_work<float>(s, material);
+}
+
+template <class Real>
+IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
+  const BondTableOptions options{s.numerics.surface_correction, s.ice.rho};
+  Work<Real> work{
+      make_bond_law<Real>(material),
+      BondTables<Real>(lattice, layout, stencil, material, options),
+      {},
+      {},
+      {},
+      {},
+      {},
+      LinearTables<Real>(lattice, layout, stencil, material, options),
+      LinearBlocks<Real>(lattice, layout, std::min(s.numerics.linear_below, linear_stretch * material.s0))};
+  for (int local = 0; local < layout.blocks * block; ++local) {
+    const int i = layout.i0 + local;
+    const bool far_end = far_end_held_ && i >= lattice.nx - held_columns;
+    work.reference_x.push_back(static_cast<Real>(lattice.x(i)));
+    work.mobile_x.push_back(i < lattice.nx && !far_end ? Real(1) : Real(0));
+    work.nothing_mobile.push_back(Real(0));
+  }
+  return work;
+}
+
+bool IceSheet::held(int i, int j) const {
+  if (far_end_held_ && i >= lattice.nx - held_columns) return true;
+  return sides_held_ && ((!lattice.half && j < held_columns) || j >= lattice.ny - held_columns);
+}
+
+std::size_t IceSheet::bytes() const {
+  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size();
+}
+
+template <class Real>
+RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k) {
+  const std::size_t r = layout.row(jl, k);
+  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  return {{at(u[0]), at(u[1]), at(u[2])},
+          at(extra_strength),
+          {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+          at(theta),
+          bits.row(jl, k),
+          bits.per_block(),
+          state(jl, k),
+          work.linear.skip(jl),
+          partition.west >= 0 ? -1 : 0,
+          layout.blocks + (partition.east >= 0 ? 1 : 0)};
+}
+
+template <class Real>
+void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& settings, int jl) {
+  const bool moves = !held(0, layout.j0 + jl);
+  for (int k = 0; k < layout.nz; ++k) {
+    const std::size_t r = layout.row(jl, k);
+    const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+    kernel.passes<Real>().drift({{at(u[0]), at(u[1]), at(u[2])},
+                                 {at(v[0]), at(v[1]), at(v[2])},
+                                 {at(residual[0]), at(residual[1]), at(residual[2])},
+                                 {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+                                 at(theta),
+                                 work.reference_x.data(),
+                                 moves ? work.mobile_x.data() : work.nothing_mobile.data(),
+                                 static_cast<Real>(lattice.y(layout.j0 + jl)),
+                                 static_cast<Real>(lattice.z(k)),
+                                 &near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks],
+                                 layout.blocks},
+                                settings);
+  }
+}
+
+void IceSheet::drift(const DriftSettings& settings, int jl0, int jl1) {
+  std::visit(
+      [&](const auto& work) {
+        for (int jl = jl0; jl < jl1; ++jl) drift_column(work, settings, jl);
+      },
+      work_);
+}
+
+template <class Real>
+void IceSheet::select_column(Work<Real>& work, int jl) {
+  work.fields.clear();
+  work.row_tables.clear();
+  for (int k = 0; k < layout.nz; ++k) {
+    work.fields.push_back(fields(work, jl, k));
+    work.row_tables.push_back(work.tables.row(jl, k));
+  }
+}
+
+void IceSheet::clear_dilatations() {
+  std::memset(theta.bytes(), 0, theta.element_size() * layout.size);
+}
+
+template <class Real>
+LinearFields<Real> IceSheet::linear_fields(int jl) const {
+  const std::size_t r = layout.row(jl, 0);
+  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  return {{at(u[0]), at(u[1]), at(u[2])},
+          at(theta),
+          {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
+          layout.stride,
+          layout.nz * layout.stride};
+}
+
+template <class Real>
+typename LinearBlocks<Real>::Ice IceSheet::ice() {
+  return {kernel.passes<Real>(), linear_fields<Real>(0), state(-reach, 0) - 1};
+}
+
+template <class Real>
+void IceSheet::linear_pass(const Work<Real>& work, Pass pass, int jl) {
+  if (!work.linear.enabled() || jl < 0 || jl >= layout.columns) return;
+  const LinearPasses<Real>& passes = kernel.passes<Real>().linear[layout.nz - 1];
+  const LinearFields<Real> fields = linear_fields<Real>(jl);
+  for (int b = 0; b < layout.blocks; ++b) {
+    if (!work.linear.is_linear(jl, b)) continue;
+    const bool end = work.linear_tables.is_end(b);
+    const auto run = pass == Pass::theta ? (end ? passes.theta_at_end : passes.theta)
+                                         : (end ? passes.force_at_end : passes.force);
+    run(fields, work.linear_tables.of(jl, b), b);
+  }
+}
+
+template <class Real>
+std::int64_t IceSheet::dilate_column(Work<Real>& work, int jl) {
+  const bool linear = work.linear.enabled();
+  if (linear && jl == first_column()) work.linear.start_step();
+  if (linear) work.linear.settle(ice<Real>(), jl);
+  select_column(work, jl);
+  const int broken = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
+                                                work.law, layout.blocks);
+  if (linear) work.linear.keep_calm(ice<Real>(), jl);
+  linear_pass(work, Pass::theta, jl);
+  if (jl >= 0) return lattice.copies() * broken;
+  return at_symmetry_plane() ? broken : 0;
+}
+
+std::int64_t IceSheet::dilatation(int jl0, int jl1) {
+  std::int64_t broken = 0;
+  const auto pass = [&](auto& work) {
+    for (int jl = jl0; jl < jl1; ++jl) broken += dilate_column(work, jl);
+  };
+  std::visit(pass, work_);
+  return broken;
+}
+
+std::int64_t IceSheet::force(int jl0, int jl1) {
+  std::int64_t broken = 0;
+  const auto pass = [&](auto& work) {
+    for (int jl = jl1 - 1; jl >= jl0; --jl) {
+      select_column(work, jl);
+      const int gone = passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law,
+                                             layout.blocks);
+      broken += jl >= 0 ? lattice.copies() * gone : at_symmetry_plane() ? gone : 0;
+      // Bonds of lower columns still add to those above; a linear block is stored once they are through.
+      linear_pass(work, Pass::force, jl + reach);
+    }
+    if (jl0 != first_column()) return;
+    for (int jl = first_column() + reach - 1; jl >= 0; --jl) linear_pass(work, Pass::force, jl);
+  };
+  std::visit(pass, work_);
+  return broken;
+}
+
+double IceSheet::linear_share() const {
+  const auto count = [](const auto& work) { return double(work.linear.count()); };
+  return std::visit(count, work_) / (double(layout.columns) * layout.blocks);
+}
+
+}  // namespace icebow

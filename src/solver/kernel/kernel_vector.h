@@ -1,0 +1,78 @@
+// Vectors of ICEBOW_VECTOR_BYTES as GCC's and Clang's portable vector types, so one text serves every
+// instruction set. Included by kernel_impl.h alone; everything is in an unnamed namespace: two widths must
+// never share a symbol.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "solver/lattice/lattice.h"
+
+namespace icebow {
+namespace {
+
+template <class Real>
+struct Simd {
+  static constexpr int lanes = ICEBOW_VECTOR_BYTES / sizeof(Real);
+  using Int = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+  typedef Real V __attribute__((vector_size(ICEBOW_VECTOR_BYTES)));
+  typedef Int Mask __attribute__((vector_size(ICEBOW_VECTOR_BYTES)));
+  static_assert(block % lanes == 0);
+
+  static V load(const Real* p) {
+    V v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+  }
+  static void store(Real* p, V v) { std::memcpy(p, &v, sizeof v); }
+  static V splat(Real x) { return x - V{}; }
+  static V max(V a, V b) { return a > b ? a : b; }
+  static V min(V a, V b) { return a < b ? a : b; }
+  static V keep(V v, Mask mask) { return (V)((Mask)v & mask); }
+
+  static Mask lane_bits() {
+    Mask bits;
+    for (int l = 0; l < lanes; ++l) bits[l] = Int(1) << l;
+    return bits;
+  }
+  // Lane l of the mask is all ones where bit l of the word is set.
+  static Mask expand(unsigned word, Mask bits) { return ((static_cast<Int>(word) - Mask{}) & bits) != 0; }
+  static unsigned compress(Mask mask, Mask bits) {
+    const Mask set = mask & bits;
+    unsigned word = 0;
+    for (int l = 0; l < lanes; ++l) word |= static_cast<unsigned>(set[l]);
+    return word;
+  }
+  static bool any(Mask mask) {
+    std::uint64_t part[sizeof(Mask) / 8], all = 0;
+    std::memcpy(part, &mask, sizeof mask);
+    for (std::uint64_t p : part) all |= p;
+    return all != 0;
+  }
+
+  // A fit with its coefficients repeated for all lanes.
+  template <int n>
+  struct Polynomial {
+    explicit Polynomial(const Real (&coefficients)[n]) {
+      for (int power = 0; power < n; ++power) c[power] = splat(coefficients[power]);
+    }
+    V operator()(V e) const {
+      V p = c[n - 1];
+      for (int power = n - 2; power >= 0; --power) p = p * e + c[power];
+      return p;
+    }
+    V c[n];
+  };
+
+  // Constant of a slot for one vector: the same for all lanes in the interior, one for each lane near the
+  // ends.
+  template <bool per_lane>
+  static V constant(const Real* slot, int which, int vector = 0) {
+    if constexpr (per_lane) return load(slot + which * block + vector * lanes);
+    return splat(slot[which]);
+  }
+};
+
+}  // namespace
+}  // namespace icebow

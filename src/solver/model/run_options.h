@@ -1,0 +1,47 @@
+// What a run is asked besides its scenario: files, checkpoints, and who is told of its progress.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "solver/model/snapshot_format.h"
+
+namespace icebow {
+
+struct Progress {
+  std::int64_t step = 0, steps = 0;
+  double advance = 0.0;        //!< [m]
+  double load = 0.0;           //!< latest resistance sample [N]
+  double seconds = 0.0;        //!< wall time so far
+  double ns_per_bond = 0.0;    //!< per directed bond per step
+  double hull_work = 0.0;      //!< of the hull on the ice [J]
+  double balance_error = 0.0;  //!< of the energy balance when it was last drawn up [J]
+};
+
+// What to do with a checkpoint that is already there.
+enum class Resume {
+  never,      // start anew; it stays until the next one takes its place
+  always,     // go on from it; one that is not of this run, or not whole, is an error
+  if_usable,  // go on from it, or start anew where that is impossible
+};
+
+struct RunOptions {
+  // Where ice.pvd (or ice.vtkhdf.series), hull.pvd, their steps and ice_*.png go; empty = no files.
+  std::string directory;
+  int snapshots = 0;  // ParaView snapshots, equally spaced in advance, the last one at the end
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+  // Above 0: the ice starts with small random velocities that are this seed's (solver/ice/stir.h); 0 = at
+  // rest.
+  std::uint64_t seed = 0;
+  int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
+  std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
+  std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
+  // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended.
+  std::string checkpoint_file;
+  double checkpoint_every_s = 300.0;  // wall time between two; 0 = only when the run is interrupted
+  Resume resume = Resume::always;
+  std::function<void(std::int64_t step)> on_resume;  // called on the root where the run goes on from one
+};
+
+}  // namespace icebow

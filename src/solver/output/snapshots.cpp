@@ -1,0 +1,133 @@
+#include "solver/output/snapshots.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/errors.h"
+#include "solver/ice/local_cloud.h"
+#include "solver/output/picture.h"
+#include "solver/output/vtkhdf.h"
+#include "solver/output/vtp.h"
+
+namespace icebow {
+namespace {
+
+std::string numbered(const char* format, int n) {
+  char name[32];
+  std::snprintf(name, sizeof name, format, n);
+  return name;
+}
+
+// The n-th of `count` moments, the last one at the end of the run.
+bool due(int written, int count, double advance, double total) {
+  return written < count && advance >= total * (written + 1) / count * (1.0 - 1e-9);
+}
+
+}  // namespace
+
+Snapshots::Snapshots(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
+                     const RunOptions& options)
+    : comm_(comm), hull_(hull), scenario_(scenario), options_(options) {}
+
+Json Snapshots::record() const {
+  return {{"snapshots", snapshots_},
+          {"ice_steps", ice_steps_},
+          {"hull_steps", hull_steps_},
+          {"pictures", pictures_},
+          {"picture_advance", picture_advance_}};
+}
+
+void Snapshots::restore(const Json& record) {
+  record.at("snapshots").get_to(snapshots_);
+  record.at("ice_steps").get_to(ice_steps_);
+  record.at("hull_steps").get_to(hull_steps_);
+  record.at("pictures").get_to(pictures_);
+  record.at("picture_advance").get_to(picture_advance_);
+}
+
+bool Snapshots::write_due(const Stepper& stepper, double advance) {
+  if (options_.directory.empty()) return false;
+  const bool paraview = due(snapshots_, options_.snapshots, advance, scenario_.advance);
+  const bool picture = due(static_cast<int>(pictures_.size()), options_.pictures, advance, scenario_.advance);
+  if (!paraview && !picture) return false;
+  if (paraview) write_paraview(stepper);
+  if (picture) {
+    const SheetState state = gather_state(comm_, stepper.sheet());
+    together([&] { write_picture(state, advance, stepper.hull_x()); });
+  }
+  return true;
+}
+
+// A full disk on one rank must not leave the others waiting.
+template <class Write>
+void Snapshots::together(const Write& write) const {
+  std::string trouble;
+  try {
+    write();
+  } catch (const RuntimeError& error) {
+    trouble = error.what();
+  }
+  fail_together(comm_, trouble);
+}
+
+void Snapshots::write_paraview(const Stepper& stepper) {
+  const std::string ice = write_ice(numbered("ice_%04d", snapshots_), local_cloud(comm_, stepper.sheet()));
+  together([&] {
+    if (comm_.is_root()) write_hull_and_lists(stepper.time(), stepper.hull_x(), ice);
+  });
+  ++snapshots_;
+}
+
+// Returns the name of the file to open.
+std::string Snapshots::write_ice(const std::string& stem, const IceCloud& own) {
+  const std::string folder = options_.directory + "/";
+  if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
+    write_ice_vtkhdf(comm_, folder + stem + ".vtkhdf", own);
+    return stem + ".vtkhdf";
+  }
+  std::vector<std::string> pieces;
+  for (int rank = 0; rank < comm_.size(); ++rank)
+    pieces.push_back(stem + "_p" + std::to_string(rank) + ".vtp");
+  if (comm_.size() == 1) pieces = {stem + ".vtp"};
+  together([&] { write_ice_vtp(folder + pieces[comm_.rank()], own); });
+  if (comm_.size() == 1) return pieces[0];
+  together([&] {
+    if (comm_.is_root()) write_ice_pvtp(folder + stem + ".pvtp", pieces);
+  });
+  return stem + ".pvtp";
+}
+
+void Snapshots::write_hull_and_lists(double time, double hull_x, const std::string& ice) {
+  const std::string folder = options_.directory + "/", hull = numbered("hull_%04d.vtp", snapshots_);
+  write_hull_vtp(folder + hull, hull_, hull_x);
+  ice_steps_.emplace_back(time, ice);
+  hull_steps_.emplace_back(time, hull);
+  if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
+    write_series(folder + "ice.vtkhdf.series", ice_steps_);
+  } else {
+    write_pvd(folder + "ice.pvd", ice_steps_);
+  }
+  write_pvd(folder + "hull.pvd", hull_steps_);
+}
+
+void Snapshots::write_picture(const SheetState& state, double advance, double hull_x) {
+  const std::string name = numbered("ice_%03d.png", static_cast<int>(pictures_.size()));
+  pictures_.push_back(name);
+  picture_advance_.push_back(advance);
+  if (!comm_.is_root()) return;
+  const Box box = bounding_box(hull_);
+  const double beam = box.upper.y() - box.lower.y(), half = std::min(0.5 * scenario_.sheet.width, 1.4 * beam);
+  PictureFrame frame;
+  frame.x_min = -0.3 * beam;
+  frame.x_max = std::min(scenario_.sheet.length, scenario_.advance + 1.2 * beam);
+  if (scenario_.sheet.window_ahead > 0.0) {
+    frame.x_min = state.lattice.x(0);
+    frame.x_max = state.lattice.x(state.lattice.nx - 1);
+  }
+  frame.y_min = -half;
+  frame.y_max = half;
+  frame.width_px = 1100;
+  write_top_view(options_.directory + "/" + name, cloud(state), hull_, hull_x, frame);
+}
+
+}  // namespace icebow

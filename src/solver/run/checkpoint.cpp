@@ -1,0 +1,228 @@
+#include "solver/run/checkpoint.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "base/json.h"
+#include "base/parallel_file.h"
+#include "solver/run/case_text.h"
+#include "solver/run/sheet_file.h"
+
+namespace icebow {
+namespace {
+
+constexpr int format_version = 3;
+constexpr std::size_t row_values = 18, row_counts = 2;  // doubles and integers of a HistoryRow
+
+void save_history(ParallelFile& file, const std::vector<HistoryRow>& rows) {
+  std::vector<double> values;
+  std::vector<std::int64_t> counts;
+  for (const HistoryRow& r : rows) {
+    values.insert(values.end(), {r.t, r.advance, r.F[0], r.F[1], r.F[2], r.M[0], r.M[1], r.M[2],
+                                 r.kinetic_energy, r.potential, r.hull_work, r.contact_loss, r.elastic,
+                                 r.fracture, r.balance_error, r.water_loss, r.floe_loss, r.edge_loss});
+    counts.insert(counts.end(), {r.broken_bonds, r.contacts});
+  }
+  file.write_list("history", values);
+  file.write_list("history_counts", counts);
+}
+
+std::vector<HistoryRow> load_history(ParallelFile& file) {
+  const std::vector<double> values = file.read_list<double>("history");
+  const std::vector<std::int64_t> counts = file.read_list<std::int64_t>("history_counts");
+  std::vector<HistoryRow> rows(counts.size() / row_counts);
+  if (values.size() != rows.size() * row_values) throw RuntimeError("its history is not whole");
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const double* v = &values[n * row_values];
+    HistoryRow& r = rows[n];
+    r.t = v[0];
+    r.advance = v[1];
+    for (int c = 0; c < 3; ++c) {
+      r.F[c] = v[2 + c];
+      r.M[c] = v[5 + c];
+    }
+    r.kinetic_energy = v[8];
+    r.potential = v[9];
+    r.hull_work = v[10];
+    r.contact_loss = v[11];
+    r.elastic = v[12];
+    r.fracture = v[13];
+    r.balance_error = v[14];
+    r.water_loss = v[15];
+    r.floe_loss = v[16];
+    r.edge_loss = v[17];
+    r.broken_bonds = counts[n * row_counts];
+    r.contacts = counts[n * row_counts + 1];
+  }
+  return rows;
+}
+
+// Totals over the ranks: a run on other ranks gives them to its root.
+Json run_json(const Communicator& comm, const RunState& run) {
+  const Stepper& stepper = run.stepper;
+  ExactImpulse::Counts impulse = stepper.impulse().counts();
+  const ContactCounts contact = stepper.ledger().counts();
+  const EnergyCounts& dropped = stepper.dropped();
+  const SurroundingsCounts& given = stepper.given_away();
+  std::int64_t totals[10] = {
+      stepper.broken_bonds(), contact.hull_work, contact.gain, dropped.kinetic, dropped.potential,
+      dropped.elastic,        dropped.fracture,  given.water,  given.floes,     given.edges};
+  comm.sum(impulse.data(), static_cast<int>(impulse.size()));
+  comm.sum(totals, 10);
+  return {{"format", format_version},
+          {"precision_bytes", precision_of(stepper.sheet())},
+          {"steps", stepper.steps()},
+          {"broken_bonds", totals[0]},
+          {"contact_energy", {totals[1], totals[2]}},
+          {"window_first", stepper.sheet().lattice.first},
+          {"window_dropped", {totals[3], totals[4], totals[5], totals[6]}},
+          {"given_away", {totals[7], totals[8], totals[9]}},
+          {"energy_watch", run.recorder.energy_watch().record()},
+          {"impulse", impulse},
+          {"wall_seconds", run.wall_seconds},
+          {"files", run.snapshots.record()}};
+}
+
+// Particles next to the hull: [particle's number, reference height, acceleration] each, from all ranks.
+void save_touches(ParallelFile& file, const Communicator& comm, const Stepper& stepper) {
+  file.write_list("touches", comm.gather_everywhere(stepper.ledger().record(stepper.sheet())));
+}
+
+void write_all(ParallelFile& file, const Communicator& comm, const std::string& case_text,
+               const RunState& run) {
+  const Stepper& stepper = run.stepper;
+  file.attribute("/", "precision", precision_of(stepper.sheet()) == 4 ? "float32" : "float64");
+  file.write_text("case", case_text);
+  file.write_text("run", run_json(comm, run).dump());
+  save_history(file, run.recorder.history().rows);
+  file.write_list("cracked_columns", run.process.crack_record());
+  file.write_list("dropped_ice", run.process.ice_record());
+  save_touches(file, comm, stepper);
+  save_sheet(file, stepper.sheet());
+  file.close();
+}
+
+// To the disk itself: after a power cut a rename without it may have put an empty file in place.
+void flush(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+std::string put_in_place(const std::string& from, const std::string& to) {
+  flush(from);
+  if (std::rename(from.c_str(), to.c_str()) != 0) return "cannot replace " + to + ": " + std::strerror(errno);
+  const std::string folder = std::filesystem::path(to).parent_path().string();
+  flush(folder.empty() ? "." : folder);
+  return "";
+}
+
+}  // namespace
+
+void save_checkpoint(const Communicator& comm, const std::string& path, const std::string& case_text,
+                     const RunState& run) {
+  const std::string temporary = path + ".tmp";
+  if (comm.is_root()) std::remove(temporary.c_str());
+  comm.barrier();
+  try {
+    ParallelFile file = ParallelFile::create(comm, temporary);
+    write_all(file, comm, case_text, run);
+  } catch (const RuntimeError&) {
+    if (comm.is_root()) std::remove(temporary.c_str());
+    throw;
+  }
+  const std::string trouble = comm.broadcast(comm.is_root() ? put_in_place(temporary, path) : "");
+  if (!trouble.empty()) throw RuntimeError(trouble);
+}
+
+std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
+                              int precision) {
+  try {
+    ParallelFile file = ParallelFile::open(comm, path);
+    const Json run = Json::parse(file.read_text("run"));
+    if (run.at("format") != format_version) return "is of another version of the program";
+    const std::string difference = case_difference(file.read_text("case"), case_text);
+    if (!difference.empty()) return "is of another run: " + difference;
+    if (run.at("precision_bytes") != precision) return "was computed in another floating-point precision";
+  } catch (const std::exception& error) {  // the same on every rank: all have read the same
+    return std::string("is not a whole checkpoint (") + error.what() + ")";
+  }
+  return "";
+}
+
+void load_checkpoint(const Communicator& comm, const std::string& path, RunState& run) {
+  ParallelFile file = ParallelFile::open(comm, path);
+  try {
+    const Json json = Json::parse(file.read_text("run"));
+    const std::vector<HistoryRow> rows = load_history(file);
+    load_sheet(file, run.stepper.sheet());
+    run.stepper.sheet().start_at(json.at("window_first"));
+    const Json &dropped = json.at("window_dropped"), &given = json.at("given_away");
+    const bool root = comm.is_root();
+    run.stepper.restore(
+        json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
+        root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
+        root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{},
+        root ? SurroundingsCounts{given.at(0), given.at(1), given.at(2)} : SurroundingsCounts{});
+    const Json& contact = json.at("contact_energy");
+    run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
+                                 file.read_list<double>("touches"), run.stepper.sheet());
+    run.recorder.restore(rows, json.at("energy_watch"));
+    run.process.restore(file.read_list<double>("cracked_columns"), file.read_list<double>("dropped_ice"));
+    run.snapshots.restore(json.at("files"));
+    run.wall_seconds = json.at("wall_seconds");
+  } catch (const std::exception& error) {
+    throw RuntimeError(path + " cannot be continued: " + error.what() +
+                       "; remove it, or start the run anew with --restart");
+  }
+}
+
+Checkpoints::Checkpoints(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
+                         const RunOptions& options)
+    : comm_(comm), options_(options), case_(case_text(hull, scenario, options)) {}
+
+// The root looks: a directory that is mounted late on another machine must not part the ranks.
+bool Checkpoints::there() const {
+  return comm_.any(comm_.is_root() && std::filesystem::exists(options_.checkpoint_file));
+}
+
+void Checkpoints::resume(RunState& run) {
+  const std::string& path = options_.checkpoint_file;
+  if (path.empty() || options_.resume == Resume::never || !there()) return;
+  const std::string reason = why_not_resumable(comm_, path, case_, precision_of(run.stepper.sheet()));
+  if (!reason.empty()) {
+    if (options_.resume == Resume::if_usable) return;
+    throw RuntimeError(path + " " + reason +
+                       "; to start this run anew remove that file or give --restart, to keep it take "
+                       "another directory");
+  }
+  load_checkpoint(comm_, path, run);
+  last_ = Clock::now();
+  if (comm_.is_root() && options_.on_resume) options_.on_resume(run.stepper.steps());
+}
+
+void Checkpoints::write_due(const RunState& run, bool stopping) {
+  if (options_.checkpoint_file.empty()) return;
+  const double every = options_.checkpoint_every_s;
+  const bool due =
+      comm_.is_root() && every > 0.0 && std::chrono::duration<double>(Clock::now() - last_).count() > every;
+  if (!comm_.any(stopping || due)) return;
+  save_checkpoint(comm_, options_.checkpoint_file, case_, run);
+  last_ = Clock::now();
+}
+
+void Checkpoints::remove() {
+  if (options_.checkpoint_file.empty() || !comm_.is_root()) return;
+  std::error_code ignored;  // one that stays is refused or continued at its end: no harm
+  std::filesystem::remove(options_.checkpoint_file, ignored);
+  std::filesystem::remove(options_.checkpoint_file + ".tmp", ignored);  // of one that was killed
+}
+
+}  // namespace icebow

@@ -1,0 +1,65 @@
+// A run's state on disk, from which it goes on bit for bit, on any number of ranks.
+//
+// One HDF5 file: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample),
+// `cracked_columns` and `dropped_ice` (process_watch.h), `run` (JSON:
+// step, counts, files written so far) and `case` (see case_text.h), by which a checkpoint of another run is
+// recognised. It is written under a second name and then renamed: a run that is killed while it writes leaves
+// the checkpoint before.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "base/communicator.h"
+#include "solver/model/run_options.h"
+#include "solver/output/snapshots.h"
+#include "solver/step/stepper.h"
+#include "solver/watch/process_watch.h"
+#include "solver/watch/recorder.h"
+
+namespace icebow {
+
+// What a run consists of between two steps.
+struct RunState {
+  Stepper& stepper;
+  Recorder& recorder;
+  Snapshots& snapshots;
+  ProcessWatch& process;
+  double wall_seconds = 0.0;  // so far, of all its parts
+};
+
+// Collective; throws RuntimeError naming the file, which is then as it was before.
+void save_checkpoint(const Communicator& comm, const std::string& path, const std::string& case_text,
+                     const RunState& run);
+
+// Collective. Empty where the file is a checkpoint of this case, else in words why it is not; throws nothing.
+std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
+                              int precision);
+
+// Collective, into a run that has not begun. Throws RuntimeError.
+void load_checkpoint(const Communicator& comm, const std::string& path, RunState& run);
+
+// When to do either, as the options of a run say.
+class Checkpoints {
+ public:
+  Checkpoints(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
+              const RunOptions& options);
+
+  // Collective: goes on from the checkpoint there is, if there is one and that is wanted. Throws RuntimeError
+  // where it is refused.
+  void resume(RunState& run);
+  // Collective, after a sample: writes where one is due by the root's clock, or where the run stops now.
+  void write_due(const RunState& run, bool stopping);
+  void remove();  // the run has come to its end
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool there() const;
+
+  const Communicator& comm_;
+  const RunOptions& options_;
+  std::string case_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace icebow

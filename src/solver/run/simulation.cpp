@@ -1,0 +1,285 @@
+#include "solver/run/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "base/errors.h"
+#include "solver/contact/contact.h"
+#include "solver/ice/sheet_state.h"
+#include "solver/ice/stir.h"
+#include "solver/lattice/stability.h"
+#include "solver/output/snapshots.h"
+#include "solver/run/checkpoint.h"
+#include "solver/step/stepper.h"
+#include "solver/watch/process_watch.h"
+#include "solver/watch/recorder.h"
+#include "solver/watch/stop_rule.h"
+
+namespace icebow {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[320];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+void check_window(const QuadMesh& hull, const Scenario& s) {
+  const Box box = bounding_box(hull);
+  const double needed = s.sheet.window_ahead + 0.5 * (box.upper.y() - box.lower.y());
+  if (s.sheet.length >= needed && s.sheet.window_ahead > 2.0 * s.ice.h) return;
+  throw InputError(
+      text("a window of %.3f m with %.3f m ahead of the stem: it must hold half a beam astern of the stem as "
+           "well (%.3f m in all) and more than two thicknesses ahead",
+           s.sheet.length, s.sheet.window_ahead, needed));
+}
+
+void check_symmetry(const QuadMesh& hull, const Lattice& lattice) {
+  const double tolerance = 1e-3 * lattice.dx;  // contact does not notice less
+  const auto place = place_without_mirror_image(hull, tolerance);
+  if (!place) return;
+  throw InputError(
+      text("a half model needs a hull that is the same on both sides of y = 0: there is no mirror image, to "
+           "within %.2g m, of the surface at x = %.4f m, y = %.4f m, z = %.4f m; correct the hull, or "
+           "simulate the whole sheet (/sheet/half_model false)",
+           tolerance, place->x(), place->y(), place->z()));
+}
+
+void check(const QuadMesh& hull, const Scenario& s, const Lattice& lattice) {
+  if (s.sheet.half_model) check_symmetry(hull, lattice);
+  const Box box = bounding_box(hull);
+  const double beam = box.upper.y() - box.lower.y();
+  if (lattice.width() < 1.2 * beam) {
+    throw InputError(text("sheet of %.3f m is too narrow for a beam of %.3f m: make it at least %.3f m wide",
+                          s.sheet.width, beam, 1.2 * beam));
+  }
+  if (s.sheet.window_ahead > 0.0) {
+    check_window(hull, s);
+  } else if (s.advance > s.sheet.length - 2.0 * s.ice.h) {
+    throw InputError(
+        text("advance %.3f m leaves no ice ahead in a sheet of %.3f m: shorten the advance or "
+             "lengthen the sheet",
+             s.advance, s.sheet.length));
+  }
+  if (!(s.V > 0.0)) throw InputError(text("speed %.3g m/s: the ship must sail ahead", s.V));
+  if (s.numerics.horizon_ratio < 1.0 || s.numerics.horizon_ratio >= reach + 1) {
+    throw InputError(
+        text("horizon of %.3g spacings: allowed 1 to less than %d", s.numerics.horizon_ratio, reach + 1));
+  }
+  const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
+  if (!(material.s0 > 0.0 && material.s0 < 0.05)) {
+    throw InputError(
+        text("critical stretch %.4g: allowed above 0 and below 0.05 (give a smaller fracture toughness "
+             "or a stiffer ice)",
+             material.s0));
+  }
+}
+
+struct TimeStep {
+  double dt, limit;
+};
+
+TimeStep time_step(const Scenario& s, const Lattice& lattice) {
+  const Material material = make_material(s.ice, lattice.dx, s.numerics.horizon_ratio);
+  const Stencil stencil = make_stencil(lattice.nz, lattice.dx, material.delta);
+  const double limit =
+      with_contact(stable_time_step(stencil, material, lattice.dx, s.ice.rho, s.numerics.surface_correction),
+                   contact_stiffness(s), s.ice.rho * lattice.particle_volume());
+  const double dt = s.numerics.dt > 0.0 ? s.numerics.dt : s.numerics.dt_fraction * limit;
+  if (dt > limit) {
+    throw InputError(
+        text("time step %.4g s is above the stability limit %.4g s of this lattice: use a smaller one, or "
+             "give none for %.2g of the limit",
+             dt, limit, s.numerics.dt_fraction));
+  }
+  return {dt, limit};
+}
+
+std::int64_t steps_of(const Scenario& s, double dt) {
+  return static_cast<std::int64_t>(std::ceil(s.advance / (s.V * dt)));
+}
+
+Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const Stepper& stepper,
+                const History& history, const SheetState& state) {
+  Metrics metrics;
+  std::vector<double> resistance, vertical;
+  metrics.steady_from = s.steady_from;
+  for (const HistoryRow& row : history.rows) {
+    if (row.advance <= s.steady_from) continue;
+    resistance.push_back(-row.F[0]);
+    vertical.push_back(row.F[2]);
+    metrics.steady_to = row.advance;
+  }
+  metrics.resistance = series_statistics(resistance);
+  metrics.vertical = series_statistics(vertical);
+  std::int64_t bonds = stepper.sheet().bonds() + stepper.broken_bonds();
+  comm.sum(&bonds, 1);
+  metrics.bonds = bonds;
+  metrics.broken_bonds = history.rows.empty() ? 0 : history.rows.back().broken_bonds;
+
+  if (comm.is_root()) {
+    const Box box = bounding_box(hull);
+    measure_sheet(state, state.lattice.first * state.lattice.dx, stepper.hull_x() - entrance_length(hull),
+                  box.upper.y() - box.lower.y(), metrics);
+  }
+  comm.broadcast(&metrics, sizeof metrics);
+  return metrics;
+}
+
+double latest_balance(const History& history) {
+  for (auto row = history.rows.rbegin(); row != history.rows.rend(); ++row) {
+    if (!std::isnan(row->balance_error)) return row->balance_error;
+  }
+  return 0.0;
+}
+
+class Loop {
+ public:
+  Loop(const Communicator& comm, const QuadMesh& hull, const Scenario& s, const RunOptions& options,
+       RunResult& result)
+      : comm_(comm), hull_(hull), s_(s), options_(options), result_(result) {}
+
+  void run(const Lattice& lattice) {
+    Stepper stepper(comm_, hull_, s_, lattice, result_.dt, first_touch_x(hull_, lattice));
+    stir(stepper.sheet(), options_.seed, s_.V);
+    Recorder recorder(comm_, stepper, s_, result_.dt_limit);
+    Snapshots snapshots(comm_, hull_, s_, options_);
+    ProcessWatch process(comm_, hull_, s_, stepper, recorder.steps_per_sample());
+    result_.s0 = stepper.material().s0;
+    std::int64_t bonds = stepper.sheet().bits.count();
+    comm_.sum(&bonds, 1);
+    result_.directed_bonds = 2 * bonds;
+    result_.status = RunStatus::ok;
+
+    RunState state{stepper, recorder, snapshots, process};
+    Checkpoints checkpoints(comm_, hull_, s_, options_);
+    checkpoints.resume(state);
+    stepper.timer().start();
+    last_report_ = Clock::now();
+    start_ = last_report_ -
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state.wall_seconds));
+    while (stepper.steps() < result_.steps) {
+      stepper.step();
+      if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
+      if (!recorder.sample(stepper, result_.reason)) {
+        result_.status = RunStatus::failed;
+        break;
+      }
+      process.sample(stepper);
+      stepper.timer().lap(Phase::sampling);
+      linear_sum_ += stepper.sheet().linear_share();
+      ++samples_;
+      const auto sampled = Clock::now();
+      snapshots.write_due(stepper, s_.V * stepper.time());
+      stepper.timer().lap(Phase::output);
+      const bool stop = report(stepper, recorder.history());
+      state.wall_seconds = seconds_since(start_);
+      checkpoints.write_due(state, stop);
+      stepper.timer().lap(Phase::checkpoint);
+      result_.output_seconds += seconds_since(sampled);
+      if (stop) {
+        result_.status = RunStatus::interrupted;
+        result_.reason = "interrupted";
+        break;
+      }
+      if (recorded_enough(recorder.history())) {
+        result_.ended = RunEnd::interval_narrow_enough;
+        break;
+      }
+    }
+    stepper.timer().lap(Phase::other);
+    result_.wall_seconds = seconds_since(start_);
+    result_.profile = profile_of(comm_, stepper.timer());
+    result_.linear_share = mean_linear_share();
+    result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
+    if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
+      snapshots.write_due(stepper, s_.advance);
+    if (result_.status != RunStatus::interrupted) checkpoints.remove();
+    result_.steps = stepper.steps();
+    result_.history = recorder.history();
+    result_.pictures = snapshots.pictures();
+    result_.picture_advance = snapshots.picture_advance();
+    if (result_.status != RunStatus::ok) return;
+    const SheetState sheet = gather_state(comm_, stepper.sheet());
+    result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
+    result_.process = process.sum_up(stepper, sheet, result_.history);
+  }
+
+ private:
+  double ns_per_bond(std::int64_t steps, double seconds) const {
+    return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
+  }
+
+  // Collective. Of the samples since the run was started or continued; ranks own nearly equal parts.
+  double mean_linear_share() const {
+    double sums[2] = {linear_sum_, double(samples_)};
+    comm_.sum(sums, 2);
+    comm_.broadcast(sums, sizeof sums);
+    return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
+  }
+
+  // Collective: the root decides, so that ranks on unlike machines agree.
+  bool recorded_enough(const History& history) const {
+    if (!(s_.stop_when_ci95_below > 0.0)) return false;
+    return comm_.any(comm_.is_root() && enough_recorded(history, s_.steady_from, s_.stop_when_ci95_below));
+  }
+
+  // Collective: tells the observer and asks it whether to stop.
+  bool report(const Stepper& stepper, const History& history) {
+    bool stop = false;
+    if (comm_.is_root() && seconds_since(last_report_) > 0.25) {
+      last_report_ = Clock::now();
+      if (options_.on_progress) {
+        const HistoryRow& row = history.rows.back();
+        const double seconds = seconds_since(start_);
+        options_.on_progress({stepper.steps(), result_.steps, row.advance, -row.F[0], seconds,
+                              ns_per_bond(stepper.steps(), seconds), row.hull_work, latest_balance(history)});
+      }
+      stop = options_.stop && options_.stop();
+    }
+    return comm_.any(stop);
+  }
+
+  const Communicator& comm_;
+  const QuadMesh& hull_;
+  const Scenario& s_;
+  const RunOptions& options_;
+  RunResult& result_;
+  Clock::time_point start_, last_report_;
+  double linear_sum_ = 0.0;
+  std::int64_t samples_ = 0;
+};
+
+}  // namespace
+
+RunSize run_size(const QuadMesh& hull, const Scenario& s) {
+  const Lattice lattice = make_lattice(s);
+  check(hull, s, lattice);
+  const TimeStep step = time_step(s, lattice);
+  return {lattice.nx, lattice.ny, lattice.nz, steps_of(s, step.dt), step.dt, step.limit};
+}
+
+RunResult simulate(const Communicator& comm, const QuadMesh& hull, const Scenario& s,
+                   const RunOptions& options) {
+  const RunSize size = run_size(hull, s);
+  RunResult result;
+  result.dt = size.dt;
+  result.dt_limit = size.dt_limit;
+  result.nx = size.nx;
+  result.ny = size.ny;
+  result.nz = size.nz;
+  result.steps = size.steps;
+  Loop(comm, hull, s, options, result).run(make_lattice(s));
+  return result;
+}
+
+}  // namespace icebow

@@ -1,0 +1,116 @@
+#include "solver/watch/process_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "solver/model/load_cycle.h"
+#include "solver/model/plate_on_water.h"
+#include "solver/watch/cracks.h"
+
+namespace icebow {
+namespace {
+
+constexpr std::size_t column_values = 6;
+
+template <class T>
+void broadcast_list(const Communicator& comm, std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::uint64_t n = values.size();
+  comm.broadcast(&n, sizeof n);
+  values.resize(n);
+  if (n > 0) comm.broadcast(values.data(), n * sizeof(T));
+}
+
+PlateOnWater floating_sheet(const Scenario& s) {
+  return plate_on_water(s.ice.E, s.ice.nu, s.ice.h, s.water.rho);
+}
+
+}  // namespace
+
+double entrance_length(const QuadMesh& hull) {
+  const Box box = bounding_box(hull);
+  const double half_beam = box.upper.y(), tolerance = 0.02 * (box.upper.z() - box.lower.z());
+  double x = box.lower.x();
+  for (const Vec3& p : hull.points) {
+    if (std::abs(p.z()) < tolerance && p.y() > 0.999 * half_beam) x = std::max(x, p.x());
+  }
+  return -x;
+}
+
+ProcessWatch::ProcessWatch(const Communicator& comm, const QuadMesh& hull, const Scenario& s,
+                           const Stepper& stepper, std::int64_t steps_per_sample)
+    : comm_(comm),
+      hull_(hull),
+      scenario_(s),
+      steps_per_sample_(steps_per_sample),
+      start_x_(stepper.hull_x()),
+      cracks_(stepper.sheet().lattice.dx, s.V * stepper.dt() * double(steps_per_sample)) {}
+
+double ProcessWatch::full_beam_x(const Stepper& stepper) const {
+  return stepper.hull_x() - entrance_length(hull_);
+}
+
+void ProcessWatch::sample(const Stepper& stepper) {
+  if (cracks_.is_due(stepper.steps() / steps_per_sample_))
+    cracks_.look(comm_, stepper.sheet(), scenario_.V * stepper.time());
+  if (!stepper.window_moves_within(steps_per_sample_)) return;
+  const SheetState state = gather_state(comm_, stepper.sheet());
+  if (comm_.is_root()) ice_.add(state, block, 0.0, full_beam_x(stepper));
+}
+
+Cracks ProcessWatch::cracks(const Stepper& stepper) const {
+  CrackedSheet sheet;
+  sheet.lattice = stepper.sheet().lattice;
+  sheet.columns = cracks_.columns();
+  sheet.thickness = scenario_.ice.h;
+  sheet.characteristic_length = characteristic_length(floating_sheet(scenario_));
+  if (scenario_.sheet.fixed != FixedEdges::none)
+    sheet.held_beyond = 0.5 * sheet.lattice.width() - reach * sheet.lattice.dx;
+  sheet.first_touch_x = start_x_;
+  return find_cracks(sheet, hull_section(hull_, 0.0));
+}
+
+BreakingProcess ProcessWatch::sum_up(const Stepper& stepper, const SheetState& state,
+                                     const History& history) const {
+  BreakingProcess p;
+  p.thickness = scenario_.ice.h;
+  p.characteristic_length = characteristic_length(floating_sheet(scenario_));
+  p.stem_x = stepper.hull_x();
+  if (comm_.is_root()) {
+    p.cracks = cracks(stepper);
+    DetachedIceCount all = ice_;
+    all.add(state, state.lattice.nx, 0.0, full_beam_x(stepper));
+    p.ice = all.total();
+  }
+  comm_.broadcast(p.cracks.columns, sizeof p.cracks.columns);
+  comm_.broadcast(&p.cracks.isolated, sizeof p.cracks.isolated);
+  for (double* volume : {&p.ice.volume, &p.ice.in_floes, &p.ice.dust})
+    comm_.broadcast(volume, sizeof *volume);
+  broadcast_list(comm_, p.cracks.list);
+  broadcast_list(comm_, p.ice.floes);
+  broadcast_list(comm_, p.ice.channel);
+  p.breaking_length = breaking_length(p.cracks.list);
+  p.load = load_cycle(history, scenario_.steady_from);
+  p.energy = energy_shares(history);
+  return p;
+}
+
+std::vector<double> ProcessWatch::crack_record() const {
+  std::vector<double> r;
+  for (const CrackedColumn& c : cracks_.columns())
+    r.insert(r.end(), {double(c.i), double(c.j), c.opened, c.crushed, c.cos2, c.sin2});
+  return r;
+}
+
+void ProcessWatch::restore(const std::vector<double>& r, const std::vector<double>& ice) {
+  std::vector<CrackedColumn> columns;
+  for (std::size_t n = 0; n + column_values <= r.size(); n += column_values) {
+    columns.push_back({static_cast<std::int64_t>(r[n]), static_cast<std::int64_t>(r[n + 1]), r[n + 2],
+                       r[n + 3], r[n + 4], r[n + 5]});
+  }
+  cracks_.restore(std::move(columns));
+  ice_.restore(ice);
+}
+
+}  // namespace icebow

@@ -1,0 +1,251 @@
+#include "study/evaluate/evaluate.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "formula/lindqvist.h"
+#include "hullgen/drawing/lines_plan.h"
+#include "hullgen/mesh/mesh_io.h"
+#include "study/evaluate/calibration.h"
+#include "study/evaluate/evaluator_inputs.h"
+#include "study/evaluate/history_csv.h"
+#include "study/evaluate/process_json.h"
+#include "study/evaluate/provenance.h"
+#include "study/evaluate/resolution_bias.h"
+#include "study/evaluate/result_json.h"
+#include "study/spec/case_hull.h"
+#include "study/spec/spec_case.h"
+
+namespace icebow {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The root writes, every rank learns whether it could: a full disk is not to leave the others waiting.
+template <class Write>
+void on_root(const Communicator& comm, const Write& write) {
+  std::string error;
+  if (comm.is_root()) {
+    try {
+      write();
+    } catch (const std::exception& e) {
+      error = e.what();
+    }
+  }
+  error = comm.broadcast(error);
+  if (!error.empty()) throw RuntimeError(error);
+}
+
+// One design on its way from document to result.
+class DesignRun {
+ public:
+  DesignRun(const Communicator& comm, const Design& design, const EvaluateOptions& options)
+      : comm_(comm), design_(design), options_(options) {
+    e_.name = design.name;
+    e_.parameters = design.parameters;
+    e_.result = {{"files", Json::object()}};
+  }
+
+  Evaluation run() {
+    const auto begin = Clock::now();
+    if (writes()) on_root(comm_, [&] { std::filesystem::create_directories(options_.directory); });
+    evaluate();
+    e_.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    describe();
+    if (writes() && e_.status != EvaluationStatus::running) {
+      on_root(comm_, [&] { write_text_file(path("result.json"), json_text(e_.result, 2) + "\n"); });
+    }
+    return e_;
+  }
+
+ private:
+  void evaluate();
+  void measure_hull();
+  void apply_formula();
+  void run_simulation();
+  RunResult simulated();
+  void take(const RunResult& run);
+  void judge();
+  void describe();
+  void write_hull();
+
+  bool writes() const { return !options_.directory.empty(); }
+  std::string path(const std::string& file) const {
+    return (std::filesystem::path(options_.directory) / file).string();
+  }
+  void end(EvaluationStatus status, const std::string& reason) {
+    e_.status = status;
+    e_.reason = reason;
+    ended_ = true;
+  }
+
+  const Communicator& comm_;
+  const Design& design_;
+  const EvaluateOptions& options_;
+  Evaluation e_;
+  bool ended_ = false;  // infeasible, failed or interrupted: the rest is left out
+  Case case_;
+  Hull hull_;
+  IceMaterial simulated_ice_;  // model scale
+};
+
+void DesignRun::evaluate() {
+  std::string error;
+  try {
+    case_ = read_case(design_.document, design_.name);
+  } catch (const InputError& e) {
+    error = e.what();
+  }
+  error = first_trouble(comm_, error);
+  if (!error.empty()) return end(EvaluationStatus::failed, error);
+  e_.key = evaluation_key(case_, asks_for(design_.document, "lindqvist"),
+                          asks_for(design_.document, "peridynamics"));
+  measure_hull();
+  if (!ended_ && asks_for(design_.document, "lindqvist")) apply_formula();
+  const bool stop = comm_.is_root() && options_.stop && options_.stop();  // a hull takes a while
+  if (!ended_ && comm_.any(stop)) end(EvaluationStatus::running, "interrupted");
+  if (!ended_ && asks_for(design_.document, "peridynamics")) run_simulation();
+  if (!ended_) judge();
+}
+
+void DesignRun::measure_hull() {
+  const BowParameters& bow = case_.bow;
+  hull_ = make_hull(case_);
+  e_.result["ship"] = {{"L_m", bow.L}, {"B_m", bow.B}, {"T_m", bow.T}};
+  e_.result["hull"] = hull_json(hull_);
+  if (case_.own.given()) e_.result["hull"]["imported"] = imported_json(case_.own);
+  if (hull_.status != HullStatus::ok) return end(EvaluationStatus::infeasible, hull_.reason);
+  if (writes()) on_root(comm_, [&] { write_hull(); });
+}
+
+void DesignRun::write_hull() {
+  write_mesh(path("hull.obj"), hull_.mesh);
+  write_text_file(path("lines.svg"), lines_plan_svg(hull_, case_.bow, design_.name));
+  e_.result["files"]["hull"] = "hull.obj";
+  e_.result["files"]["lines_plan"] = "lines.svg";
+}
+
+void DesignRun::apply_formula() {
+  const LindqvistInputs inputs = lindqvist_inputs(case_);
+  e_.result["lindqvist"] = lindqvist_json(lindqvist(inputs), inputs);
+}
+
+void DesignRun::run_simulation() {
+  const RunResult run = simulated();
+  if (ended_) return;
+  take(run);
+  if (writes()) {
+    on_root(comm_, [&] {
+      write_text_file(path("history.csv"), history_csv(run.history));
+      e_.result["files"]["history"] = "history.csv";
+    });
+  }
+  if (run.status == RunStatus::interrupted) end(EvaluationStatus::running, "interrupted");
+  if (run.status == RunStatus::failed) end(EvaluationStatus::failed, run.reason);
+}
+
+// A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
+// not.
+RunResult DesignRun::simulated() {
+  RunOptions run_options;
+  run_options.directory = options_.directory;
+  run_options.snapshots = case_.snapshots;
+  run_options.snapshot_format = case_.snapshot_format;
+  run_options.pictures = case_.pictures;
+  run_options.seed = case_.seed;
+  run_options.on_progress = options_.on_progress;
+  run_options.stop = options_.stop;
+  if (writes()) run_options.checkpoint_file = path(checkpoint_name);
+  run_options.checkpoint_every_s = options_.checkpoint_every_s;
+  run_options.resume = options_.resume;
+  run_options.on_resume = options_.on_resume;
+  RunResult run;
+  std::string error;
+  bool machine = false;
+  try {
+    const Scenario scenario = simulated_scenario(comm_, case_);
+    simulated_ice_ = scenario.ice;
+    run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), scenario, run_options);
+  } catch (const std::exception& e) {
+    error = *e.what() ? e.what() : "an exception without a message";
+    machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
+  }
+  if (!comm_.any(!error.empty())) return run;
+  std::string message = comm_.broadcast(error);
+  if (message.empty()) message = "the simulation failed on another rank than the first";
+  if (comm_.any(machine)) throw RuntimeError(message);
+  end(EvaluationStatus::failed, message);
+  return run;
+}
+
+void DesignRun::take(const RunResult& run) {
+  if (run.status == RunStatus::ok) {
+    e_.result["metrics"] = metrics_json(run, case_.lambda);
+    e_.result["metrics"]["resolution_bias"] = resolution_bias_json(case_);
+    e_.result["process"] = process_json(run.process);
+  }
+  const double stress = simulated_ice_.tensile_strength, crushing = simulated_ice_.crushing_pressure;
+  e_.result["simulation"] = {{"dt_s", run.dt},
+                             {"dt_limit_s", run.dt_limit},
+                             {"steps", run.steps},
+                             {"ended", ended_json(run)},
+                             {"nx", run.nx},
+                             {"ny", run.ny},
+                             {"nz", run.nz},
+                             {"directed_bonds", run.directed_bonds},
+                             {"ns_per_bond", run.ns_per_bond},
+                             {"linear_share", run.linear_share},
+                             {"wall_s", run.wall_seconds},
+                             {"output_s", run.output_seconds},
+                             {"elastic_modulus_Pa", simulated_ice_.E},
+                             {"critical_stretch", stress ? Json(nullptr) : Json(run.s0)},
+                             {"tensile_strength_Pa", stress ? Json(stress) : Json(nullptr)},
+                             {"crushing_pressure_Pa", crushing ? Json(crushing) : Json(nullptr)},
+                             {"lambda", case_.lambda}};
+  e_.result["profile"] = profile_json(run);
+  Json pictures = Json::array();
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    pictures.push_back({{"file", run.pictures[i]}, {"advance_m", run.picture_advance.at(i)}});
+  }
+  e_.result["files"]["pictures"] = pictures;
+}
+
+// It ran to the end: it is ok where what it was run for is a number.
+void DesignRun::judge() {
+  const Json& result = e_.result;
+  if (asks_for(design_.document, "peridynamics") &&
+      !result.at("metrics").at("full_scale").at("mean_load_N").is_number()) {
+    return end(EvaluationStatus::failed, "the simulation ended with a mean load that is not a finite number");
+  }
+  if (!asks_for(design_.document, "peridynamics") && !result.at("lindqvist").at("valid").get<bool>()) {
+    return end(EvaluationStatus::failed, result.at("lindqvist").at("reason").get<std::string>());
+  }
+  e_.status = EvaluationStatus::ok;
+}
+
+void DesignRun::describe() {
+  e_.result["design"] = design_.name;
+  e_.result["status"] = to_string(e_.status);
+  e_.result["reason"] = e_.reason;
+  e_.result["parameters"] = parameters_json(design_.parameters);
+  e_.result["provenance"] = {{"version", program_version()},
+                             {"host", host_name()},
+                             {"date_utc", utc_now()},
+                             {"ranks", comm_.size()},
+                             {"wall_s", e_.wall_seconds}};
+  for (const char* part : {"hull", "lindqvist", "metrics", "process", "simulation", "profile"}) {
+    if (!e_.result.contains(part)) e_.result[part] = nullptr;
+  }
+}
+
+}  // namespace
+
+Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options) {
+  Evaluation e = DesignRun(comm, design, options).run();
+  return evaluation_from_json(
+      Json::parse(comm.broadcast(json_text(to_json(e)))));  // files, times: as the root has them
+}
+
+}  // namespace icebow

@@ -1,0 +1,20 @@
+// What a stored evaluation is found by.
+#pragma once
+
+#include <string>
+
+#include "base/json.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+// Key of everything the result depends on: the SHA-256 of evaluation_text().
+std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics);
+
+// One line a field: the result version first, then the exact bits of the case, its name left out.
+std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics);
+
+// Whether a study document asks for "lindqvist" or "peridynamics": both where it has no "evaluators".
+bool asks_for(const Json& document, const std::string& evaluator);
+
+}  // namespace icebow

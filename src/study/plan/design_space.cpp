@@ -1,0 +1,150 @@
+#include "study/plan/design_space.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+
+#include "base/errors.h"
+#include "base/sha256.h"
+#include "study/evaluate/evaluate.h"
+#include "study/plan/repeats.h"
+#include "study/plan/sampling.h"
+#include "study/spec/model_notes.h"
+#include "study/spec/spec_case.h"
+
+namespace icebow {
+namespace {
+
+// The number at a JSON pointer; NaN where there is none.
+double number_at(const Json& document, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  const bool known = document.contains(at) && document.at(at).is_number();
+  return known ? document.at(at).get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
+  PlannedDesign p;
+  p.design.name = name;
+  for (const Variable& variable : spec.method.variables) {
+    const double value = number_at(document, variable.pointer);
+    if (std::isfinite(value)) p.design.parameters[variable.pointer] = value;
+  }
+  try {
+    p.key = evaluation_key(read_case(document, name), asks_for(document, "lindqvist"),
+                           asks_for(document, "peridynamics"));
+  } catch (const InputError& error) {
+    p.mistake = error.what();
+    p.key = sha256("rejected by the reader\n" + json_text(document));
+  }
+  p.design.document = std::move(document);
+  return p;
+}
+
+std::vector<std::vector<double>> grid(const Method& method) {
+  std::vector<std::vector<double>> levels;
+  for (const Variable& v : method.variables) {
+    levels.push_back(v.values.empty() ? equally_spaced(v.lower, v.upper, v.levels) : v.values);
+  }
+  return full_factorial(levels);
+}
+
+std::vector<std::vector<double>> hypercube(const Method& method) {
+  const std::vector<Variable>& variables = method.variables;
+  auto points = latin_hypercube(static_cast<int>(variables.size()), method.samples, method.seed);
+  for (std::vector<double>& point : points) {
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      point[i] = variables[i].lower + point[i] * (variables[i].upper - variables[i].lower);
+    }
+  }
+  return points;
+}
+
+std::vector<std::vector<double>> method_points(const Method& method) {
+  if (method.type == MethodType::grid) return grid(method);
+  if (method.type == MethodType::latin_hypercube) return hypercube(method);
+  return {};
+}
+
+class Plan {
+ public:
+  explicit Plan(const StudySpec& spec) : spec_(spec) {}
+  void add(const PlannedDesign& design) {
+    for (PlannedDesign& run : runs_of(spec_, design)) add_run(std::move(run));
+  }
+  StudyPlan plan;
+
+ private:
+  void add_run(PlannedDesign p) {
+    const auto [first, is_new] = names_.emplace(p.key, p.design.name);
+    if (!is_new) {
+      if (run_name(p.design.name).number > 1) return;
+      plan.notes.push_back(p.design.name + " is the same as " + first->second + ": evaluated once");
+      return;
+    }
+    plan.designs.push_back(std::move(p));
+  }
+
+  const StudySpec& spec_;
+  std::map<std::string, std::string> names_;  // by key
+};
+
+}  // namespace
+
+StudyPlan plan_study(const StudySpec& spec) {
+  Plan plan(spec);
+  if (spec.use_peridynamics) plan.plan.notes = model_notes(spec.baseline);
+  if (spec.include_baseline) plan.add(planned(spec, "baseline", spec.document));
+  for (const NamedDesign& named : spec.designs) {
+    Json document = spec.document;
+    document.merge_patch(named.set);
+    plan.add(planned(spec, named.name, std::move(document)));
+  }
+  int n = 0;
+  for (const std::vector<double>& x : method_points(spec.method)) {
+    plan.add(design_at(spec, numbered_name(++n), x));
+  }
+  if (spec.method.type == MethodType::optimise) plan.plan.proposals = spec.method.max_evaluations;
+  return plan.plan;
+}
+
+PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x) {
+  Json document = spec.document;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    document[Json::json_pointer(spec.method.variables[i].pointer)] = rounded(x[i]);
+  }
+  return planned(spec, name, std::move(document));
+}
+
+std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design) {
+  std::vector<PlannedDesign> runs = {design};
+  for (int number = 2; number <= spec.repeats; ++number) {
+    runs.push_back(planned(spec, repeat_name(design.design.name, number),
+                           repeat_document(design.design.document, number)));
+  }
+  return runs;
+}
+
+std::vector<double> start_point(const StudySpec& spec) {
+  std::vector<double> start;
+  for (const Variable& variable : spec.method.variables) {
+    const double value = number_at(spec.document, variable.pointer);
+    start.push_back(std::isfinite(value) ? value : 0.5 * (variable.lower + variable.upper));
+  }
+  return start;
+}
+
+std::string numbered_name(int n) {
+  char name[16];
+  std::snprintf(name, sizeof name, "d%03d", n);
+  return name;
+}
+
+double rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return std::strtod(text, nullptr);
+}
+
+}  // namespace icebow

@@ -1,0 +1,46 @@
+// From a study file to its designs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/evaluate/evaluation.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+struct PlannedDesign {
+  Design design;
+  std::string key;      // see evaluation_key()
+  std::string mistake;  // why the design's document describes no ship; empty where it does
+};
+
+// What is known before anything runs. An optimiser proposes the rest as it goes.
+struct StudyPlan {
+  std::vector<PlannedDesign> designs;  // baseline, named designs, then those of the method, each followed by
+                                       // its repeats; no key twice
+  std::vector<std::string> notes;      // "d004 is the same as baseline: evaluated once"
+  int proposals = 0;  // optimise: how many designs the optimiser may add at most; 0 otherwise
+};
+
+// A point of the method that the reader rejects is planned with its mistake: it becomes a failed design.
+StudyPlan plan_study(const StudySpec& spec);
+
+// The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
+PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);
+
+// The runs of a design: itself, and its repeats by the study (study/plan/repeats.h).
+std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design);
+
+// Where an optimiser starts: the file's own values, the middle of the range where the file leaves a variable
+// out.
+std::vector<double> start_point(const StudySpec& spec);
+
+// "d001" ...: the name of the n-th design of a method, counted from 1.
+std::string numbered_name(int n);
+
+// To ten significant digits: what a person reads in a table is what was run, and a value that went through
+// the optimiser's scaling comes back as the number in the study file.
+double rounded(double value);
+
+}  // namespace icebow

@@ -1,0 +1,210 @@
+// Notation: u is a point scaled to the unit cube, x the same point in the problem's units, f a value divided
+// by the first finite one (so of order one, as are the penalties), g a margin.
+#include "study/plan/optimiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <nlopt.hpp>
+
+#include "base/errors.h"
+
+namespace icebow {
+namespace {
+
+struct Algorithm {
+  const char* name;
+  nlopt::algorithm id;
+  bool takes_constraints;
+  unsigned least_variables;
+};
+
+const std::vector<Algorithm>& algorithms() {
+  static const std::vector<Algorithm> list = {
+      {"sbplx", nlopt::LN_SBPLX, false, 1},     {"neldermead", nlopt::LN_NELDERMEAD, false, 1},
+      {"bobyqa", nlopt::LN_BOBYQA, false, 2},   {"cobyla", nlopt::LN_COBYLA, true, 1},
+      {"crs2_lm", nlopt::GN_CRS2_LM, false, 1}, {"isres", nlopt::GN_ISRES, true, 1},
+      {"esch", nlopt::GN_ESCH, false, 1},       {"direct_l", nlopt::GN_DIRECT_L, false, 1}};
+  return list;
+}
+
+std::string joined_names() {
+  std::string text;
+  for (const Algorithm& a : algorithms()) text += (text.empty() ? "" : ", ") + std::string(a.name);
+  return text;
+}
+
+const Algorithm& find_algorithm(const std::string& name, std::size_t variables) {
+  for (const Algorithm& a : algorithms()) {
+    if (name != a.name) continue;
+    if (variables >= a.least_variables) return a;
+    throw InputError("the optimiser " + name + " needs at least " + std::to_string(a.least_variables) +
+                     " variables, there is " + std::to_string(variables) + "; take sbplx");
+  }
+  throw InputError("there is no optimiser \"" + name + "\": allowed are " + joined_names());
+}
+
+class Search {
+ public:
+  Search(const OptimiserProblem& problem, const OptimiserOptions& options)
+      : problem_(problem),
+        options_(options),
+        n_(problem.start.size()),
+        algorithm_(find_algorithm(options.algorithm, n_)),
+        nlopt_(algorithm_.id, static_cast<unsigned>(n_)) {}
+
+  OptimiserResult run();
+
+ private:
+  static double objective(const std::vector<double>& u, std::vector<double>&, void* search) {
+    return static_cast<Search*>(search)->f(u);
+  }
+  static void constraints(unsigned m, double* g, unsigned n, const double* u, double*, void* search) {
+    static_cast<Search*>(search)->violations(m, g, std::vector<double>(u, u + n));
+  }
+
+  double f(const std::vector<double>& u);
+  void violations(unsigned m, double* negated, const std::vector<double>& u);
+  double violation(const std::vector<double>& x) const;
+  double seen(double value, const std::vector<double>& x);
+  void set_up();
+  std::vector<double> start() const;
+  std::vector<double> in_units(const std::vector<double>& u) const;
+  void end(const std::string& reason);
+
+  const OptimiserProblem& problem_;
+  const OptimiserOptions& options_;
+  std::size_t n_;
+  const Algorithm& algorithm_;
+  nlopt::opt nlopt_;
+  OptimiserResult result_;
+  double unit_ = 0.0;    // size of the first finite value; 0 = none yet
+  double worst_ = 10.0;  // largest f so far; before there is any, far above one
+  bool ended_ = false;
+  std::exception_ptr exception_;
+};
+
+std::vector<double> Search::in_units(const std::vector<double>& u) const {
+  std::vector<double> x(n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double lower = problem_.lower[i], upper = problem_.upper[i];
+    x[i] =
+        std::clamp(lower + u[i] * (upper - lower), lower, upper);  // some algorithms step out by a rounding
+  }
+  return x;
+}
+
+std::vector<double> Search::start() const {
+  std::vector<double> u(n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double lower = problem_.lower[i], upper = problem_.upper[i];
+    u[i] = std::clamp((problem_.start[i] - lower) / (upper - lower), 0.0, 1.0);
+  }
+  return u;
+}
+
+// NLopt may go on asking for a while after it was told to stop.
+void Search::end(const std::string& reason) {
+  if (!ended_) result_.reason = reason;
+  ended_ = true;
+  nlopt_.force_stop();
+}
+
+// Sum of what is missing to zero; 0 = feasible as far as the margins tell.
+double Search::violation(const std::vector<double>& x) const {
+  double sum = 0.0;
+  if (!problem_.margins) return sum;
+  for (const double g : problem_.margins(x)) sum += std::isfinite(g) ? std::max(0.0, -g) : 1.0;
+  return sum;
+}
+
+// What NLopt is told of a value: always finite, for a NaN hangs or crashes some of its algorithms.
+double Search::seen(double value, const std::vector<double>& x) {
+  const double missing = violation(x);
+  if (!std::isfinite(value)) return worst_ + 0.1 * std::max(1.0, std::fabs(worst_)) + missing;
+  const bool better = result_.best.empty() || value < result_.value;
+  if (missing == 0.0 && better) result_.best = x, result_.value = value;
+  const bool first = unit_ == 0.0;
+  if (first) unit_ = std::max(std::fabs(value), std::numeric_limits<double>::min());
+  const double scaled = std::clamp(value / unit_, -1e100, 1e100);
+  worst_ = first ? scaled : std::max(worst_, scaled);
+  return scaled;
+}
+
+double Search::f(const std::vector<double>& u) {
+  if (ended_) return worst_;
+  if (result_.evaluations >= options_.max_evaluations) {
+    end("the allowed number of evaluations was used");
+    return worst_;
+  }
+  try {
+    const std::vector<double> x = in_units(u);
+    ++result_.evaluations;
+    return seen(problem_.value(x), x);
+  } catch (...) {  // NLopt would turn it into "nlopt failure"
+    exception_ = std::current_exception();
+    end("error");
+    return worst_;
+  }
+}
+
+void Search::violations(unsigned m, double* negated, const std::vector<double>& u) {
+  std::fill(negated, negated + m, 0.0);
+  if (ended_) return;
+  try {
+    const std::vector<double> g = problem_.margins(in_units(u));
+    for (unsigned i = 0; i < m; ++i) negated[i] = i < g.size() && std::isfinite(g[i]) ? -g[i] : 1.0;
+  } catch (...) {
+    exception_ = std::current_exception();
+    end("error");
+  }
+}
+
+void Search::set_up() {
+  nlopt_.set_lower_bounds(0.0);
+  nlopt_.set_upper_bounds(1.0);
+  nlopt_.set_min_objective(objective, this);
+  if (options_.tolerance > 0.0) nlopt_.set_xtol_abs(options_.tolerance);
+  if (algorithm_.takes_constraints && problem_.margins) {
+    const std::size_t m = problem_.margins(in_units(start())).size();
+    if (m > 0) nlopt_.add_inequality_mconstraint(constraints, this, std::vector<double>(m, 0.0));
+  }
+  nlopt::srand(static_cast<unsigned long>(
+      options_.seed));  // one generator for all of NLopt: seeded just before the start
+}
+
+OptimiserResult Search::run() {
+  std::vector<double> u = start();
+  set_up();
+  std::string reason = "the parameters moved less than the tolerance";
+  try {
+    double f_best = 0.0;
+    nlopt_.optimize(u, f_best);
+  } catch (const nlopt::forced_stop&) {
+  } catch (const nlopt::roundoff_limited&) {
+    reason = "rounding errors stopped the progress";
+  } catch (const std::exception& error) {
+    reason = std::string("the optimiser gave up: ") + error.what();
+  }
+  if (exception_) std::rethrow_exception(exception_);
+  end(reason);
+  return result_;
+}
+
+}  // namespace
+
+OptimiserResult optimise(const OptimiserProblem& problem, const OptimiserOptions& options) {
+  return Search(problem, options).run();
+}
+
+const std::vector<std::string>& optimiser_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Algorithm& a : algorithms()) list.emplace_back(a.name);
+    return list;
+  }();
+  return names;
+}
+
+}  // namespace icebow

@@ -1,0 +1,259 @@
+#include "study/plan/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "base/errors.h"
+#include "study/plan/repeats.h"
+
+namespace icebow {
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+double number(const Json& result, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  if (!result.is_structured() || !result.contains(at) || !result.at(at).is_number()) return nan_value;
+  return result.at(at).get<double>();
+}
+
+double mean_load(const Json& result) {
+  return number(result, "/metrics/full_scale/mean_load_N");
+}
+double mean_load_ci95(const Json& result) {
+  return number(result, "/metrics/full_scale/mean_load_ci95_N");
+}
+double lindqvist_breaking(const Json& result) {
+  return number(result, "/lindqvist/breaking_N");
+}
+double beam(const Json& result) {
+  return number(result, "/ship/B_m");
+}  //!< [m]
+
+// Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
+double half_width(const RankedDesign& row, const std::string& rank_by) {
+  if (rank_by == "lindqvist_breaking") return 0.0;
+  return rank_by == "mean_load_per_beam" ? row.mean_load_ci95 / beam(row.evaluation.result)
+                                         : row.mean_load_ci95;
+}
+
+// A record too short for an interval may hide any difference.
+bool overlap(double a, double half_a, double b, double half_b) {
+  if (!std::isfinite(half_a) || !std::isfinite(half_b)) return true;
+  return std::fabs(a - b) <= half_a + half_b;
+}
+
+RankedDesign described(const std::vector<Evaluation>& runs, const std::string& rank_by) {
+  const auto ok = std::find_if(runs.begin(), runs.end(),
+                               [](const Evaluation& e) { return e.status == EvaluationStatus::ok; });
+  RankedDesign row;
+  row.evaluation = ok == runs.end() ? runs.front() : *ok;
+  row.value = ranking_value(row.evaluation, rank_by);
+  if (ok == runs.end()) return row;
+  const Json& result = row.evaluation.result;
+  std::vector<double> means, intervals;
+  for (const Evaluation& e : runs) {
+    if (e.status != EvaluationStatus::ok) continue;
+    means.push_back(mean_load(e.result));
+    intervals.push_back(mean_load_ci95(e.result));
+  }
+  const RepeatedMean all = repeated_mean(means, intervals);
+  row.runs = std::max(1, all.runs);
+  row.mean_load = all.mean;
+  row.ci95_series = all.series;
+  row.ci95_repeats = all.repeats;
+  row.mean_load_ci95 = all.runs > 1 ? all.repeats : all.series;
+  if (rank_by == "mean_load") row.value = row.mean_load;
+  if (rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(result);
+  row.lindqvist_breaking = lindqvist_breaking(result);
+  if (row.lindqvist_breaking > 0.0) row.ratio = row.mean_load / row.lindqvist_breaking;
+  if (!std::isfinite(row.value) && row.evaluation.reason.empty())
+    row.evaluation.reason = "has no " + rank_by + " to rank by";
+  return row;
+}
+
+// The runs of each design, designs as their first run comes.
+std::vector<std::vector<Evaluation>> by_design(const std::vector<Evaluation>& evaluations) {
+  std::vector<std::vector<Evaluation>> designs;
+  std::map<std::string, std::size_t> place;
+  for (const Evaluation& e : evaluations) {
+    const auto [at, is_new] = place.emplace(run_name(e.name).design, designs.size());
+    if (is_new) designs.emplace_back();
+    designs[at->second].push_back(e);
+  }
+  for (std::vector<Evaluation>& runs : designs) {
+    std::stable_sort(runs.begin(), runs.end(), [](const Evaluation& a, const Evaluation& b) {
+      return run_name(a.name).number < run_name(b.name).number;
+    });
+  }
+  return designs;
+}
+
+// Ranked, infeasible, failed (or without a value), running.
+int group(const RankedDesign& row) {
+  switch (row.evaluation.status) {
+    case EvaluationStatus::ok:
+      return std::isfinite(row.value) ? 0 : 2;
+    case EvaluationStatus::infeasible:
+      return 1;
+    case EvaluationStatus::failed:
+      return 2;
+    case EvaluationStatus::running:
+      return 3;
+  }
+  return 2;
+}
+
+bool before(const RankedDesign& a, const RankedDesign& b) {
+  if (group(a) != group(b)) return group(a) < group(b);
+  return group(a) == 0 && a.value < b.value;
+}
+
+void mark_ties(Ranking& ranking, std::size_t ranked) {
+  const auto tied = [&](const RankedDesign& a, const RankedDesign& b) {
+    return overlap(a.value, half_width(a, ranking.rank_by), b.value, half_width(b, ranking.rank_by));
+  };
+  for (std::size_t i = 0; i < ranked; ++i) {
+    RankedDesign& row = ranking.rows[i];
+    row.rank = static_cast<int>(i) + 1;
+    row.tied_with_next = i + 1 < ranked && tied(row, ranking.rows[i + 1]);
+    row.tied_with_best = i > 0 && tied(row, ranking.rows[0]);
+  }
+}
+
+// "baseline, d001, d002 and 4 more"
+std::string listed_names(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(names.size(), most); ++n) text += (n ? ", " : "") + names[n];
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+}
+
+std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
+  std::vector<std::string> tied, biased, words;
+  bool known = true;
+  std::string sentence;
+  for (std::size_t i = 0; i < ranked; ++i) {
+    const RankedDesign& row = ranking.rows[i];
+    const Json& result = row.evaluation.result;
+    if (row.tied_with_best) tied.push_back(row.evaluation.name);
+    const double bias = number(result, "/metrics/resolution_bias/relative");
+    const double spread = number(result, "/metrics/resolution_bias/ci95");
+    if (!std::isfinite(bias)) {
+      known = false;
+      const Json::json_pointer at("/metrics/resolution_bias/sentence");
+      if (sentence.empty() && result.contains(at)) sentence = result.at(at).get<std::string>();
+    } else if (i > 0 && row.value - ranking.rows[0].value < (std::fabs(bias) + spread) * row.value) {
+      biased.push_back(row.evaluation.name);
+    }
+  }
+  if (!tied.empty())
+    words.push_back("the difference to the best design is smaller than the 95 % intervals: " +
+                    listed_names(tied) + "; a longer advance or more repeats narrow them");
+  if (!known)
+    words.push_back((sentence.empty() ? "resolution bias: not known for this spacing" : sentence) +
+                    "; a finer lattice may change loads and their order by more than the intervals say");
+  if (!biased.empty())
+    words.push_back("the difference to the best design is smaller than the resolution bias of the lattice: " +
+                    listed_names(biased));
+  return words;
+}
+
+void correlate(Ranking& ranking, std::size_t ranked) {
+  std::vector<double> loads, formulas;
+  for (std::size_t i = 0; i < ranked; ++i) {
+    const RankedDesign& row = ranking.rows[i];
+    if (!std::isfinite(row.mean_load) || !std::isfinite(row.lindqvist_breaking)) continue;
+    loads.push_back(row.mean_load);
+    formulas.push_back(row.lindqvist_breaking);
+  }
+  ranking.spearman = spearman_correlation(loads, formulas);
+  ranking.spearman_n = static_cast<int>(loads.size());
+}
+
+// Ranks from 1, equal values sharing the average of theirs.
+std::vector<double> average_ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    const double average = 0.5 * static_cast<double>(i + 1 + end);
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = average;
+  }
+  return ranks;
+}
+
+Json number_json(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+}  // namespace
+
+double ranking_value(const Evaluation& e, const std::string& rank_by) {
+  if (rank_by != "mean_load" && rank_by != "mean_load_per_beam" && rank_by != "lindqvist_breaking") {
+    throw InputError("cannot rank by \"" + rank_by +
+                     "\": allowed are mean_load, mean_load_per_beam, lindqvist_breaking");
+  }
+  if (e.status != EvaluationStatus::ok) return nan_value;
+  if (rank_by == "mean_load") return mean_load(e.result);
+  if (rank_by == "lindqvist_breaking") return lindqvist_breaking(e.result);
+  return mean_load(e.result) / beam(e.result);
+}
+
+Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by) {
+  Ranking ranking;
+  ranking.rank_by = rank_by;
+  for (const std::vector<Evaluation>& runs : by_design(evaluations))
+    ranking.rows.push_back(described(runs, rank_by));
+  std::stable_sort(ranking.rows.begin(), ranking.rows.end(), before);
+  const auto ranked = static_cast<std::size_t>(std::count_if(
+      ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) { return group(row) == 0; }));
+  mark_ties(ranking, ranked);
+  correlate(ranking, ranked);
+  if (ranked > 0 && rank_by != "lindqvist_breaking") ranking.warnings = warnings(ranking, ranked);
+  return ranking;
+}
+
+double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::vector<double> a = average_ranks(x), b = average_ranks(y);
+  const double mean = 0.5 * static_cast<double>(a.size() + 1);
+  double ab = 0.0, aa = 0.0, bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - mean) * (b[i] - mean);
+    aa += (a[i] - mean) * (a[i] - mean);
+    bb += (b[i] - mean) * (b[i] - mean);
+  }
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : nan_value;
+}
+
+Json to_json(const Ranking& ranking) {
+  Json designs = Json::array();
+  for (const RankedDesign& row : ranking.rows) {
+    const Evaluation& e = row.evaluation;
+    designs.push_back({{"design", e.name},
+                       {"status", to_string(e.status)},
+                       {"reason", e.reason},
+                       {"parameters", parameters_json(e.parameters)},
+                       {"mean_load_N", number_json(row.mean_load)},
+                       {"mean_load_ci95_N", number_json(row.mean_load_ci95)},
+                       {"runs", row.runs},
+                       {"ci95_series_N", number_json(row.ci95_series)},
+                       {"ci95_repeats_N", number_json(row.ci95_repeats)},
+                       {"lindqvist_breaking_N", number_json(row.lindqvist_breaking)},
+                       {"ratio", number_json(row.ratio)},
+                       {"rank", row.rank},
+                       {"tied_with_next", row.tied_with_next},
+                       {"tied_with_best", row.tied_with_best}});
+  }
+  return {{"rank_by", ranking.rank_by},
+          {"designs", designs},
+          {"warnings", ranking.warnings},
+          {"spearman", number_json(ranking.spearman)},
+          {"spearman_n", ranking.spearman_n}};
+}
+
+}  // namespace icebow

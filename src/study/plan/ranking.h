@@ -1,0 +1,56 @@
+// Designs in order of merit, ties marked.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "study/evaluate/evaluation.h"
+
+namespace icebow {
+
+struct RankedDesign {
+  Evaluation evaluation;        // of repeated runs the first one that is ok
+  int runs = 1;                 // that the numbers below are of: those that are ok
+  int rank = 0;                 // 1 = best; 0 = not ranked (infeasible, failed, running)
+  bool tied_with_next = false;  // its interval overlaps that of the next design
+  bool tied_with_best = false;  // its interval overlaps that of the best design
+  double value = std::numeric_limits<double>::quiet_NaN();  // what was ranked (smaller is better), full scale
+  double mean_load = std::numeric_limits<double>::quiet_NaN();  //!< of the runs' means, full scale [N]
+  // Half width of its 95 % interval: by the scatter of repeated runs, of one run by its series; full scale
+  // [N]. The other two are both of these, NaN where there are none.
+  double mean_load_ci95 = std::numeric_limits<double>::quiet_NaN();
+  double ci95_series = std::numeric_limits<double>::quiet_NaN();
+  double ci95_repeats = std::numeric_limits<double>::quiet_NaN();
+  double lindqvist_breaking = std::numeric_limits<double>::quiet_NaN();  //!< [N]
+  double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / Lindqvist's breaking part
+};
+
+struct Ranking {
+  std::string rank_by;
+  std::vector<RankedDesign> rows;  // ranked first, then infeasible, then failed, then running
+  double spearman =
+      std::numeric_limits<double>::quiet_NaN();  // of mean load and Lindqvist over the ranked designs
+  int spearman_n = 0;
+  // Where differences between designs are smaller than their intervals or the resolution bias; sentences.
+  std::vector<std::string> warnings;
+};
+
+// What a study ranks by: "mean_load" [N], "mean_load_per_beam" [N/m], "lindqvist_breaking" [N], all full
+// scale. NaN where the evaluation is not ok or has no such number. Throws InputError for another word.
+double ranking_value(const Evaluation& evaluation, const std::string& rank_by);
+
+// Evaluations of one design's repeats (study/plan/repeats.h) make one row. An evaluation that is ok but has
+// no number to rank by is listed with the failed ones, with the reason.
+Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by);
+
+// Spearman's rank correlation: Pearson's of the ranks, equal values sharing the average of their ranks
+// (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.
+double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y);
+
+// Full-scale values in N; the keys of `icebow rank --json`: design, status, reason, parameters, mean_load_N,
+// mean_load_ci95_N, runs, ci95_series_N, ci95_repeats_N, lindqvist_breaking_N, ratio, rank, tied_with_next,
+// tied_with_best; and "warnings". NaN becomes null.
+Json to_json(const Ranking& ranking);
+
+}  // namespace icebow

@@ -1,0 +1,174 @@
+#include "study/run/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "base/communicator.h"
+#include "base/errors.h"
+
+namespace icebow {
+namespace {
+
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
+  std::vector<char*> list;
+  for (const std::string& s : strings) list.push_back(const_cast<char*>(s.c_str()));
+  list.push_back(nullptr);
+  return list;
+}
+
+struct Pipe {
+  int read = -1, write = -1;
+  Pipe() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw RuntimeError(std::string("no pipe to a child: ") + std::strerror(errno));
+    read = ends[0];
+    write = ends[1];
+  }
+};
+
+// Between fork and exec: system calls only. Never returns.
+[[noreturn]] void become(char* const* arguments, char* const* environment, int log, int output, int trouble,
+                         pid_t parent, int death_signal) {
+  setpgid(0, 0);
+  if (death_signal != 0) prctl(PR_SET_PDEATHSIG, death_signal);
+  if (getppid() != parent) _exit(127);  // it died before the line above
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, 0);
+  dup2(output, 1);
+  dup2(log, 2);
+  execvpe(arguments[0], arguments, environment);
+  const int error = errno;
+  if (write(trouble, &error, sizeof error) < 0) _exit(126);
+  _exit(127);
+}
+
+bool starts_with(const std::string& text, const char* prefix) {
+  return text.rfind(prefix, 0) == 0;
+}
+
+}  // namespace
+
+// mpirun ends its ranks on SIGTERM and cannot on SIGKILL; any other program obeys SIGTERM as well.
+ChildProcess::ChildProcess(const ChildCommand& command) : start_(Clock::now()) {
+  const std::vector<char*> arguments = pointers(command.arguments),
+                           environment = pointers(command.environment);
+  const int log = ::open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (log < 0) throw RuntimeError(command.log + ": cannot be written: " + std::strerror(errno));
+  const Pipe output, trouble;
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) {
+    become(arguments.data(), environment.data(), log, output.write, trouble.write, parent,
+           command.ends_with_us ? SIGTERM : 0);
+  }
+  const int fork_error = errno;
+  for (const int file : {log, output.write, trouble.write}) ::close(file);
+  int error = pid_ < 0 ? fork_error : 0;
+  if (pid_ > 0) {
+    setpgid(pid_, pid_);                                             // whichever of the two comes first
+    if (::read(trouble.read, &error, sizeof error) <= 0) error = 0;  // closed by exec: started
+  }
+  ::close(trouble.read);
+  output_ = output.read;
+  fcntl(output_, F_SETFL, O_NONBLOCK);
+  if (error == 0) {
+    running_ = true;
+    return;
+  }
+  ::close(output_);
+  if (pid_ > 0) waitpid(pid_, nullptr, 0);
+  throw RuntimeError(command.arguments[0] + ": cannot be started: " + std::strerror(error));
+}
+
+ChildProcess::~ChildProcess() {
+  if (running_) {
+    kill(-pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  if (output_ >= 0) ::close(output_);
+}
+
+std::vector<std::string> ChildProcess::read_lines() {
+  std::array<char, 4096> buffer;
+  ssize_t n = -1;
+  while (output_ >= 0 && (n = ::read(output_, buffer.data(), buffer.size())) > 0) {
+    partial_line_.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+  if (n == 0) ::close(std::exchange(output_, -1));  // no more to come: poll() would report that over and over
+  std::vector<std::string> lines;
+  for (std::size_t end; (end = partial_line_.find('\n')) != std::string::npos;) {
+    lines.push_back(partial_line_.substr(0, end));
+    partial_line_.erase(0, end + 1);
+  }
+  return lines;
+}
+
+bool ChildProcess::running() {
+  if (!running_) return false;
+  if (terminating_ && Clock::now() > kill_at_) kill(-pid_, SIGKILL);
+  int status = 0;
+  if (waitpid(pid_, &status, WNOHANG) != pid_) return true;
+  status_ = status;
+  running_ = false;
+  return false;
+}
+
+double ChildProcess::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void ChildProcess::terminate(std::chrono::milliseconds grace) {
+  if (!running_ || terminating_) return;
+  terminating_ = true;
+  kill_at_ = Clock::now() + grace;
+  kill(-pid_, SIGTERM);
+}
+
+std::string ChildProcess::complaint() const {
+  if (running_) return "";
+  int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
+  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
+  if (code > 128 && code <= 128 + SIGSYS)
+    signal = code - 128;  // mpirun passes a rank's signal on like a shell
+  if (signal != 0) return "killed by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+  return code != 0 ? "exit code " + std::to_string(code) : "";
+}
+
+void wait_for_output(const std::vector<const ChildProcess*>& children, std::chrono::milliseconds limit) {
+  std::vector<pollfd> files;
+  for (const ChildProcess* child : children) files.push_back({child->output(), POLLIN, 0});
+  poll(files.data(), files.size(), static_cast<int>(limit.count()));
+}
+
+std::vector<std::string> child_environment() {
+  const bool launched = MpiSession::started_by_mpirun();  // else OMPI_MCA_... is what the user has set
+  std::vector<std::string> list;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string text = *variable;
+    bool drop = starts_with(text, "OPENTURNS_NUM_THREADS=");
+    for (const char* prefix : {"OMPI_", "PMIX_", "PMI_", "PRTE_"}) {
+      drop = drop || (launched && starts_with(text, prefix));
+    }
+    if (!drop) list.push_back(text);
+  }
+  for (const char* text : {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                           "OMPI_MCA_mpi_yield_when_idle=1", "OPENTURNS_NUM_THREADS=1"}) {
+    list.emplace_back(text);
+  }
+  return list;
+}
+
+}  // namespace icebow

@@ -1,0 +1,71 @@
+#include "study/run/evaluate_design_child.h"
+
+#include <csignal>
+#include <iostream>
+#include <map>
+
+#include "base/errors.h"
+#include "study/evaluate/progress_json.h"
+
+namespace icebow {
+namespace {
+
+constexpr const char* usage = "usage: icebow evaluate-design --design-json FILE --out DIR --result FILE";
+
+std::map<std::string, std::string> parse(const std::vector<std::string>& arguments) {
+  std::map<std::string, std::string> options = {{"--design-json", ""}, {"--out", ""}, {"--result", ""}};
+  if (arguments.size() != 2 * options.size()) throw InputError(usage);
+  for (std::size_t i = 0; i < arguments.size(); i += 2) {
+    const auto option = options.find(arguments[i]);
+    if (option == options.end() || !option->second.empty()) throw InputError(usage);
+    option->second = arguments[i + 1];
+  }
+  return options;
+}
+
+// The root reads the file, so the other ranks need not see it. A mistake is everybody's.
+Design read_design(const Communicator& comm, const std::string& path) {
+  Json message = Json::object();
+  if (comm.is_root()) {
+    try {
+      message["design"] = read_json_file(path);
+    } catch (const InputError& error) {
+      message["error"] = error.what();
+    }
+  }
+  message = Json::parse(comm.broadcast(json_text(message)));
+  if (message.contains("error")) throw InputError(message.at("error").get<std::string>());
+  return design_from_json(message.at("design"));
+}
+
+void evaluate_to_file(const Communicator& comm, const std::map<std::string, std::string>& options,
+                      const EvaluateFunction& evaluator) {
+  const Design design = read_design(comm, options.at("--design-json"));
+  EvaluateOptions evaluate_options;
+  evaluate_options.directory = options.at("--out");
+  evaluate_options.on_progress = [](const Progress& p) { std::cout << progress_line(p) << std::endl; };
+  const Evaluation e = evaluator(comm, design, evaluate_options);
+  if (comm.is_root()) write_text_file(options.at("--result"), json_text(to_json(e)));
+}
+
+}  // namespace
+
+int evaluate_design_child(const Communicator& comm, const std::vector<std::string>& arguments,
+                          const EvaluateFunction& evaluator) {
+  // The parent ends a child by SIGTERM; nobody here would look at a flag set by a handler of the program's
+  // own.
+  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  try {
+    evaluate_to_file(comm, parse(arguments), evaluator ? evaluator : evaluate);
+    return 0;
+  } catch (const InputError& error) {
+    if (comm.is_root()) std::cerr << error.what() << std::endl;
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    return 1;
+  }
+}
+
+}  // namespace icebow

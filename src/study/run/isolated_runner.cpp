@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "base/errors.h"
+#include "study/evaluate/progress_json.h"
+#include "study/run/child_process.h"
+#include "study/run/runner.h"
+#include "study/spec/spec_case.h"
+#include "study/store/design_files.h"
+
+namespace icebow {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds moment(100);
+constexpr milliseconds grace(10000);  // mpirun wants about 3 s to clear its ranks
+
+// One design under way.
+struct Job {
+  Design design;
+  std::string directory;
+  std::unique_ptr<ChildProcess> child;
+  bool timed_out = false;
+};
+
+std::string result_file(const Job& job) {
+  return job.directory + "/evaluation.json";
+}
+std::string log_file(const Job& job) {
+  return job.directory + "/log.txt";
+}
+
+int jobs_at_once(const RunnerContext& context) {
+  if (context.settings.jobs > 0) return context.settings.jobs;
+  const Execution& execution = context.spec.execution;
+  if (execution.designs_at_once > 0) return execution.designs_at_once;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, cores / std::max(1, execution.ranks_per_design));
+}
+
+// Open MPI frames what a program says with rules and advice.
+bool says_something(const std::string& line) {
+  if (line.find_first_not_of("- \t\r*") == std::string::npos) return false;
+  for (const char* advice :
+       {"mpirun", "Primary job", "MPI_ABORT", "a non-zero exit code", "Per user-direction"}) {
+    if (line.find(advice) != std::string::npos) return false;
+  }
+  return true;
+}
+
+// The last words of the program: what follows a signal is Open MPI's backtrace.
+std::string last_line(const std::string& path) {
+  std::ifstream file(path);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("*** Process received signal") != std::string::npos) break;
+    if (says_something(line)) last = line;
+  }
+  return last.size() > 300 ? last.substr(0, 300) + " ..." : last;
+}
+
+bool has_violated_margin(const std::vector<Margin>& margins) {
+  return std::any_of(margins.begin(), margins.end(),
+                     [](const Margin& m) { return m.required && !(m.value >= 0.0); });
+}
+
+class IsolatedRunner : public Runner {
+ public:
+  explicit IsolatedRunner(const RunnerContext& context)
+      : context_(context), at_once_(static_cast<std::size_t>(jobs_at_once(context))) {}
+
+  bool has_room() const override { return jobs_.size() + done_.size() < at_once_; }
+  bool busy() const override { return !jobs_.empty() || !done_.empty(); }
+  bool shares_crashes() const override { return false; }
+  void start(const PlannedDesign& planned) override;
+  std::vector<Evaluation> wait() override;
+  void stop() override;
+
+ private:
+  bool is_infeasible(const Design& design) const;
+  std::vector<std::string> command(const Job& job) const;
+  void listen(Job& job);
+  Evaluation result_of(const Job& job) const;
+  Evaluation lost(const Job& job) const;
+
+  RunnerContext context_;
+  std::size_t at_once_;
+  std::vector<Job> jobs_;
+  std::vector<Evaluation> done_;
+};
+
+bool IsolatedRunner::is_infeasible(const Design& design) const {
+  return has_violated_margin(context_.settings.margins(read_case(design.document, design.name)));
+}
+
+// An impossible bow needs no process: evaluate() says so before there is a mesh, let alone a simulation.
+void IsolatedRunner::start(const PlannedDesign& planned) {
+  Job job{planned.design, design_directory(context_.settings.directory, planned.design.name), nullptr};
+  if (is_infeasible(job.design)) {
+    EvaluateOptions options;
+    options.directory = job.directory;
+    done_.push_back(context_.settings.evaluate(Communicator::serial(), job.design, options));
+    return;
+  }
+  write_text_file(job.directory + "/design.json", json_text(to_json(job.design), 2) + "\n");
+  ChildCommand child;
+  child.arguments = command(job);
+  child.environment = child_environment();
+  child.log = log_file(job);
+  job.child = std::make_unique<ChildProcess>(child);
+  jobs_.push_back(std::move(job));
+}
+
+std::vector<std::string> IsolatedRunner::command(const Job& job) const {
+  std::vector<std::string> words;
+  const int ranks = context_.spec.execution.ranks_per_design;
+  if (ranks > 1) words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
+  for (const std::string& word :
+       {context_.settings.program, std::string("evaluate-design"), std::string("--design-json"),
+        job.directory + "/design.json", std::string("--out"), job.directory, std::string("--result"),
+        result_file(job)}) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+// Progress is a line of JSON; whatever else a library prints there is kept with the log.
+void IsolatedRunner::listen(Job& job) {
+  for (const std::string& line : job.child->read_lines()) {
+    if (const auto progress = progress_from_line(line)) {
+      context_.on_progress(job.design.name, *progress);
+    } else {
+      std::ofstream(log_file(job), std::ios::app) << line << "\n";
+    }
+  }
+}
+
+std::vector<Evaluation> IsolatedRunner::wait() {
+  std::vector<const ChildProcess*> children;
+  for (const Job& job : jobs_) children.push_back(job.child.get());
+  if (done_.empty()) wait_for_output(children, moment);
+  std::vector<Evaluation> ended = std::move(done_);
+  done_.clear();
+  const double limit = context_.spec.execution.time_limit_s;
+  for (auto job = jobs_.begin(); job != jobs_.end();) {
+    const bool running = job->child->running();
+    listen(*job);
+    if (!running) {
+      ended.push_back(result_of(*job));
+      job = jobs_.erase(job);
+      continue;
+    }
+    job->timed_out = job->timed_out || (limit > 0.0 && job->child->seconds() > limit);
+    if (job->timed_out) job->child->terminate(grace);
+    ++job;
+  }
+  return ended;
+}
+
+void IsolatedRunner::stop() {
+  for (Job& job : jobs_) job.child->terminate(grace);
+  const auto any_running = [&] {
+    bool any = false;
+    for (Job& job : jobs_) any = job.child->running() || any;
+    return any;
+  };
+  while (any_running()) std::this_thread::sleep_for(milliseconds(20));
+  jobs_.clear();
+  done_.clear();
+}
+
+// A result that was written counts, even where the program stumbled afterwards.
+Evaluation IsolatedRunner::result_of(const Job& job) const {
+  const std::string path = result_file(job);
+  if (!std::filesystem::exists(path)) return lost(job);
+  Evaluation e = evaluation_from_json(read_json_file(path));
+  std::filesystem::remove(path);
+  std::error_code ignored;
+  if (std::filesystem::is_empty(log_file(job), ignored)) std::filesystem::remove(log_file(job), ignored);
+  return e;
+}
+
+Evaluation IsolatedRunner::lost(const Job& job) const {
+  Evaluation e;
+  e.name = job.design.name;
+  e.status = EvaluationStatus::failed;
+  e.wall_seconds = job.child->seconds();
+  const std::string complaint = job.child->complaint(), said = last_line(log_file(job));
+  e.reason = job.timed_out       ? time_limit_reason(context_.spec.execution.time_limit_s)
+             : complaint.empty() ? "the program ended without a result"
+                                 : "the program was lost: " + complaint;
+  if (!said.empty() && !job.timed_out) e.reason += ": " + said;
+  e.result = {{"log", "log.txt"}};
+  return e;
+}
+
+}  // namespace
+
+std::unique_ptr<Runner> make_isolated_runner(const RunnerContext& context) {
+  return std::make_unique<IsolatedRunner>(context);
+}
+
+}  // namespace icebow

@@ -1,0 +1,40 @@
+// How a study is run: where, by whom, and with what evaluator.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/communicator.h"
+#include "hullgen/bow/bow.h"
+#include "study/evaluate/evaluate.h"
+#include "study/evaluate/evaluation.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+// Replaced by a fake in tests. Collective like evaluate().
+using EvaluateFunction =
+    std::function<Evaluation(const Communicator&, const Design&, const EvaluateOptions&)>;
+using MarginsFunction =
+    std::function<std::vector<Margin>(const Case&)>;  // of feasibility, see hullgen/bow/bow.h
+
+enum class Launcher {
+  automatic,  // embedded where MPI is active, isolated otherwise
+  isolated,   // a child process per design: a crash or a hang costs that design only
+  embedded    // in this process, all its ranks together
+};
+
+struct RunSettings {
+  std::string directory;  // of the study; made where missing
+  std::string program;    // the icebow program, for children: empty = this very program (/proc/self/exe)
+  std::string command;    // as the user typed it; recorded
+  Launcher launcher = Launcher::automatic;
+  int jobs = 0;  // designs at once (isolated); 0 = as the study says, or cores / ranks per design
+  bool retry_failed = false;  // evaluate failed designs again; otherwise a failure is a result like any other
+  std::function<bool()> stop;  // asked on the root a few times a second; true = end now, store consistent
+  EvaluateFunction evaluate;   // empty = icebow::evaluate (embedded only; a child process has its own)
+  MarginsFunction margins;     // empty = those of check_feasibility
+};
+
+}  // namespace icebow

@@ -1,0 +1,274 @@
+#include "study/run/run_study.h"
+
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include "base/errors.h"
+#include "study/evaluate/calibration.h"
+#include "study/plan/optimiser.h"
+#include "study/plan/ranking.h"
+#include "study/plan/repeats.h"
+#include "study/run/runner.h"
+#include "study/run/study_directory.h"
+#include "study/spec/case_hull.h"
+#include "study/spec/spec_case.h"
+#include "study/store/design_files.h"
+#include "study/store/store.h"
+
+namespace icebow {
+namespace {
+
+struct Interrupted {};
+
+// The loop of a study on the root rank. Sweeps and the optimiser go through evaluate_all() alike.
+class StudyLoop {
+ public:
+  StudyLoop(const StudySpec& spec, const RunSettings& settings, Store& store, Runner& runner,
+            StudyObserver& observer)
+      : spec_(spec), settings_(settings), store_(store), runner_(runner), observer_(observer) {}
+
+  StudyOutcome run(std::vector<std::string> notes);
+
+ private:
+  void run_plan(const StudyPlan& plan);
+  void run_optimiser();
+  double value_at(const std::vector<double>& x);
+  std::vector<double> margins_at(const std::vector<double>& x) const;
+
+  void evaluate_all(const std::vector<PlannedDesign>& designs);
+  bool recall(const PlannedDesign& planned);
+  void start(const PlannedDesign& planned);
+  void finish(Evaluation evaluation);
+  void report(const Evaluation& evaluation, bool recalled);
+  void abandon();
+  void sum_up();
+  bool stopped() const { return settings_.stop && settings_.stop(); }
+
+  const StudySpec& spec_;
+  const RunSettings& settings_;
+  Store& store_;
+  Runner& runner_;
+  StudyObserver& observer_;
+  std::map<std::string, PlannedDesign> under_way_;  // by name
+  std::map<std::string, double> values_;            // by key: what this study has seen
+  int numbered_ = 0;                                // designs named by the optimiser so far
+  StudyOutcome outcome_;
+};
+
+StudyOutcome StudyLoop::run(std::vector<std::string> notes) {
+  const StudyPlan plan = plan_study(spec_);
+  outcome_.notes = std::move(notes);
+  outcome_.notes.insert(outcome_.notes.end(), plan.notes.begin(), plan.notes.end());
+  try {
+    run_plan(plan);
+    if (spec_.method.type == MethodType::optimise) run_optimiser();
+  } catch (const Interrupted&) {
+    abandon();
+    outcome_.interrupted = true;
+  } catch (...) {
+    abandon();
+    throw;
+  }
+  sum_up();
+  store_.set_fact("state", outcome_.interrupted ? "interrupted" : "finished");
+  observer_.on_study_finished(outcome_);
+  return outcome_;
+}
+
+std::vector<Case> simulated_cases(const StudyPlan& plan) {
+  std::vector<Case> cases;
+  for (const PlannedDesign& planned : plan.designs) {
+    if (!planned.mistake.empty() || !asks_for(planned.design.document, "peridynamics")) continue;
+    cases.push_back(read_case(planned.design.document, planned.design.name));
+  }
+  return cases;
+}
+
+void StudyLoop::run_plan(const StudyPlan& plan) {
+  std::vector<std::string> keys;
+  for (const PlannedDesign& planned : plan.designs) keys.push_back(planned.key);
+  store_.begin_study(keys);
+  observer_.on_planned(plan);
+  test_lattices(simulated_cases(plan));
+  evaluate_all(plan.designs);
+}
+
+void StudyLoop::run_optimiser() {
+  OptimiserProblem problem;
+  for (const Variable& variable : spec_.method.variables) {
+    problem.lower.push_back(variable.lower);
+    problem.upper.push_back(variable.upper);
+  }
+  problem.start = start_point(spec_);
+  problem.value = [this](const std::vector<double>& x) { return value_at(x); };
+  problem.margins = [this](const std::vector<double>& x) { return margins_at(x); };
+  const Method& method = spec_.method;
+  const OptimiserResult result =
+      optimise(problem, {method.algorithm, method.seed, method.max_evaluations, method.tolerance});
+  outcome_.notes.push_back(method.algorithm + " ended after " + std::to_string(result.evaluations) +
+                           " points: " + result.reason);
+}
+
+// A point the study has met already, the baseline for one, keeps the name it has.
+double StudyLoop::value_at(const std::vector<double>& x) {
+  const std::vector<PlannedDesign> runs = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
+  if (values_.count(runs.front().key) == 0) {
+    ++numbered_;
+    for (const PlannedDesign& run : runs) store_.add_to_study(run.key);
+    evaluate_all(runs);
+  }
+  std::vector<double> values;
+  for (const PlannedDesign& run : runs) values.push_back(values_.at(run.key));
+  return repeated_mean(values, values).mean;
+}
+
+std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) const {
+  const PlannedDesign planned = design_at(spec_, "", x);
+  std::vector<double> values;
+  const bool readable = planned.mistake.empty();
+  const Case c = readable ? read_case(planned.design.document, "") : spec_.baseline;
+  for (const Margin& margin : settings_.margins(c)) {
+    if (margin.required) values.push_back(readable ? margin.value : -1.0);
+  }
+  return values;
+}
+
+// For each proposed design: take the stored evaluation of its key, or evaluate and store.
+void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
+  auto next = designs.begin();
+  while (next != designs.end() || runner_.busy()) {
+    if (stopped()) throw Interrupted();
+    while (next != designs.end() && runner_.has_room()) {
+      if (!recall(*next)) start(*next);
+      ++next;
+    }
+    for (Evaluation& evaluation : runner_.wait()) finish(std::move(evaluation));
+  }
+}
+
+// Whether there is nothing to evaluate.
+bool StudyLoop::recall(const PlannedDesign& planned) {
+  settle_name(store_, settings_.directory, planned.design.name, planned.key);
+  if (!planned.mistake.empty()) {
+    under_way_[planned.design.name] = planned;
+    clear_design_directory(settings_.directory, planned.design.name);
+    Evaluation rejected;
+    rejected.name = planned.design.name;
+    rejected.reason = planned.mistake;
+    finish(rejected);
+    return true;
+  }
+  std::optional<Evaluation> stored = store_.find(planned.key);
+  if (!stored) return false;
+  if (stored->status == EvaluationStatus::failed && settings_.retry_failed) {
+    store_.remove(planned.key);
+    return false;
+  }
+  if (stored->status == EvaluationStatus::running) {
+    if (attempts(*stored) < 2) return false;
+    stored->status = EvaluationStatus::failed;
+    stored->reason =
+        "crashed twice: the program was lost each time while it evaluated this design (--retry-failed tries "
+        "it "
+        "again)";
+  }
+  stored->parameters =
+      planned.design.parameters;  // the study may have other variables than when it was stored
+  complete_result(*stored, settings_.directory);
+  if (to_json(*stored) != to_json(*store_.find(planned.key))) store_.put(*stored);
+  report(*stored, true);
+  return true;
+}
+
+void StudyLoop::start(const PlannedDesign& planned) {
+  Evaluation mark;
+  mark.key = planned.key;
+  mark.name = planned.design.name;
+  mark.status = EvaluationStatus::running;
+  mark.parameters = planned.design.parameters;
+  const auto stored = store_.find(planned.key);
+  const int earlier = stored ? attempts(*stored) : 0;
+  mark.result = {{"attempts", earlier + (runner_.shares_crashes() ? 1 : 0)}};
+  store_.put(mark);
+  clear_design_directory(settings_.directory, planned.design.name);
+  under_way_[planned.design.name] = planned;
+  observer_.on_started(planned.design);
+  runner_.start(planned);
+}
+
+void StudyLoop::finish(Evaluation evaluation) {
+  const PlannedDesign planned = under_way_.at(evaluation.name);
+  if (evaluation.status == EvaluationStatus::running) throw Interrupted();
+  evaluation.key = planned.key;
+  evaluation.parameters = planned.design.parameters;
+  complete_result(evaluation, settings_.directory);
+  store_.put(evaluation);
+  under_way_.erase(evaluation.name);
+  report(evaluation, false);
+}
+
+void StudyLoop::report(const Evaluation& evaluation, bool recalled) {
+  values_[evaluation.key] = ranking_value(evaluation, spec_.rank_by);
+  outcome_.recalled += recalled ? 1 : 0;
+  observer_.on_finished(evaluation, recalled);
+}
+
+// An end in good order leaves no design marked as running.
+void StudyLoop::abandon() {
+  runner_.stop();
+  for (const auto& [name, planned] : under_way_) store_.remove(planned.key);
+}
+
+void StudyLoop::sum_up() {
+  const std::vector<Evaluation> evaluations = store_.all();
+  for (const Evaluation& e : evaluations) {
+    outcome_.ok += e.status == EvaluationStatus::ok;
+    outcome_.infeasible += e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1;
+    outcome_.failed += e.status == EvaluationStatus::failed;
+  }
+  const Ranking ranking = rank_designs(evaluations, spec_.rank_by);
+  if (!ranking.rows.empty() && ranking.rows[0].rank == 1) outcome_.best = ranking.rows[0].evaluation.name;
+}
+
+// Empty settings mean the real thing.
+RunSettings completed(RunSettings settings) {
+  if (!settings.evaluate) settings.evaluate = evaluate;
+  if (!settings.margins) settings.margins = [](const Case& c) { return check_feasibility(c).margins; };
+  if (settings.program.empty()) settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
+  if (settings.launcher == Launcher::automatic) {
+    settings.launcher = MpiSession::started_by_mpirun() ? Launcher::embedded : Launcher::isolated;
+  }
+  return settings;
+}
+
+StudyOutcome run_on_root(const Communicator& comm, const StudySpec& spec, const RunSettings& settings,
+                         StudyObserver& observer) {
+  StudyDirectory directory = open_study_directory(spec, settings);
+  const RunnerContext context{spec, settings, [&](const std::string& design, const Progress& progress) {
+                                observer.on_progress(design, progress);
+                              }};
+  const auto runner = settings.launcher == Launcher::isolated ? make_isolated_runner(context)
+                                                              : make_embedded_runner(comm, context);
+  return StudyLoop(spec, settings, directory.store, *runner, observer).run(directory.notes);
+}
+
+}  // namespace
+
+StudyOutcome run_study(const Communicator& comm, const StudySpec& spec, const RunSettings& given,
+                       StudyObserver& observer) {
+  const RunSettings settings = completed(given);
+  if (!comm.is_root()) return serve_embedded(comm, settings.evaluate);
+  try {
+    StudyOutcome outcome = run_on_root(comm, spec, settings, observer);
+    end_embedded(comm, outcome);
+    return outcome;
+  } catch (const std::exception& error) {
+    fail_embedded(comm, error);
+    throw;
+  }
+}
+
+}  // namespace icebow

@@ -1,0 +1,43 @@
+// One study: for each proposed design, take the stored evaluation of its key, or evaluate and store.
+//
+// Layout of a study directory: study.json (copy of the document), results.sqlite (the store), designs/<name>/
+// with the files of evaluate() and, where the design ran in a process of its own, design.json and log.txt.
+// Rules of resuming, launching and optimising: docs/study_engine.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/communicator.h"
+#include "study/evaluate/evaluation.h"
+#include "study/plan/design_space.h"
+#include "study/run/run_settings.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+struct StudyOutcome {
+  int ok = 0, infeasible = 0, failed = 0;  // designs of the present study, recalled ones included
+  int recalled = 0;                        // of those, how many were taken from the store
+  bool interrupted = false;                // settings.stop said so: the same command goes on from here
+  std::string best;                // name of the best design by the study's rank_by; empty where none is ok
+  std::vector<std::string> notes;  // for the user: duplicates, results kept of an earlier study file ...
+};
+
+// What happens, as it happens. Called on the root rank only, from the thread of run_study.
+class StudyObserver {
+ public:
+  virtual ~StudyObserver() = default;
+  virtual void on_planned(const StudyPlan& /*plan*/) {}
+  virtual void on_started(const Design& /*design*/) {}
+  virtual void on_progress(const std::string& /*design*/, const Progress& /*progress*/) {}
+  virtual void on_finished(const Evaluation& /*evaluation*/, bool /*recalled*/) {}
+  virtual void on_study_finished(const StudyOutcome& /*outcome*/) {}
+};
+
+// Collective; every rank returns the same outcome. Throws RuntimeError (store locked, disk full) and
+// InputError (a design that cannot be made from the study file), on every rank.
+StudyOutcome run_study(const Communicator& comm, const StudySpec& spec, const RunSettings& settings,
+                       StudyObserver& observer);
+
+}  // namespace icebow

@@ -1,0 +1,106 @@
+#include "study/spec/read_study.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "study/spec/spec_case.h"
+#include "study/spec/spec_designs.h"
+#include "study/spec/spec_hints.h"
+#include "study/spec/spec_hull.h"
+#include "study/spec/spec_method.h"
+
+namespace icebow {
+namespace {
+
+void check_ranking(const StudySpec& spec, const Section& ranking, Mistakes& mistakes) {
+  const bool formula = spec.rank_by == "lindqvist_breaking";
+  if (formula ? spec.use_lindqvist : spec.use_peridynamics) return;
+  mistakes.push_back({ranking.pointer("by"), std::string("is \"") + spec.rank_by + "\", which needs \"" +
+                                                 (formula ? "lindqvist" : "peridynamics") +
+                                                 "\" in /evaluators"});
+}
+
+void check_repeats(const StudySpec& spec, Mistakes& mistakes) {
+  if (spec.repeats <= 1 || spec.use_peridynamics) return;
+  mistakes.push_back({"/repeats", "is " + std::to_string(spec.repeats) +
+                                      ", but a formula gives the same each time: drop it, or add "
+                                      "\"peridynamics\" to /evaluators"});
+}
+
+void check_not_empty(const StudySpec& spec, Mistakes& mistakes) {
+  if (spec.include_baseline || !spec.designs.empty() || spec.method.type != MethodType::list) return;
+  mistakes.push_back(
+      {"/include_baseline", "is false, and neither designs nor a method give any other design"});
+}
+
+// Every part of the document is read whatever the others hold, so that one look shows all that is wrong.
+StudySpec parse_study(const Json& document, const std::string& name, Mistakes& mistakes) {
+  StudySpec spec;
+  spec.file = name;
+  spec.document = document;
+  std::vector<std::string> elsewhere = structural_keys();
+  Json top = document;
+  top.erase("scale");  // read with the case
+  const Section main(top, "", 1.0, mistakes, elsewhere);
+  spec.name = main.text("name", std::filesystem::path(name).stem().string());
+  spec.purpose = main.text("purpose", "");
+  spec.include_baseline = main.boolean("include_baseline");
+  spec.repeats = std::max(1, main.integer("repeats"));
+  spec.baseline = parse_case(document, mistakes);
+  const std::size_t before = mistakes.size();
+  parse_evaluators(document, spec, mistakes);
+  const bool evaluators_known = mistakes.size() == before;
+  spec.designs = parse_designs(document, mistakes);
+  spec.method = parse_method(document, mistakes);
+  const Section ranking(document, "ranking", 1.0, mistakes);
+  spec.rank_by = ranking.text("by", spec.use_peridynamics ? "mean_load" : "lindqvist_breaking");
+  if (ranking.good() && evaluators_known) check_ranking(spec, ranking, mistakes);
+  const Section execution(document, "execution", 1.0, mistakes);
+  spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
+                    execution.number("time_limit")};
+  if (evaluators_known) check_repeats(spec, mistakes);
+  check_not_empty(spec, mistakes);
+  return spec;
+}
+
+}  // namespace
+
+StudySpec read_study(const Json& document, const std::string& name) {
+  Mistakes mistakes;
+  if (!document.is_object()) {
+    throw InputError(name,
+                     {{"", "is " + type_name(document) + ", must be an object {\"icebow_study\": 1, ...}"}});
+  }
+  Json resolved = document;
+  resolve_hull_files(resolved, name);
+  StudySpec spec = parse_study(resolved, name, mistakes);
+  if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
+  return spec;
+}
+
+StudySpec read_study(const std::string& path) {
+  return read_study(read_json_file(path), path);
+}
+
+void apply_set(Json& document, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || assignment.empty() || assignment[0] != '/') {
+    throw InputError("--set " + assignment + ": must be /section/key=value, like /bow/stem_deg=20");
+  }
+  const std::string pointer = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+  Json value;
+  try {
+    value = parse_json(text, "--set " + assignment);
+  } catch (const InputError&) {
+    value = text;
+  }
+  try {
+    document[Json::json_pointer(pointer)] = value;
+  } catch (const Json::exception&) {
+    throw InputError("--set " + assignment + ": " + pointer +
+                     " is no place in the study file, whose keys look like /bow/stem_deg");
+  }
+}
+
+}  // namespace icebow

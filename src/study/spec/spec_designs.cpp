@@ -1,0 +1,155 @@
+#include "study/spec/spec_designs.h"
+
+#include <algorithm>
+#include <set>
+
+#include "study/spec/spec_case.h"
+#include "study/spec/spec_hints.h"
+
+namespace icebow {
+namespace {
+
+constexpr int longest_name = 64;
+
+// ASCII letters and digits or any letter beyond ASCII first, then also space . _ + ( ) -: a name is a
+// directory too.
+bool is_safe_name(const std::string& name) {
+  const auto letter = [](unsigned char c) { return std::isalnum(c) || c >= 0x80; };
+  int characters = 0;
+  for (const char c : name) characters += (c & 0xC0) != 0x80;  // UTF-8 continuation bytes do not count
+  if (characters < 1 || characters > longest_name || !letter(name[0])) return false;
+  return std::all_of(name.begin(), name.end(), [&](char c) {
+    return letter(static_cast<unsigned char>(c)) || std::string(" ._+()-").find(c) != std::string::npos;
+  });
+}
+
+// Names the program gives itself.
+bool is_reserved(const std::string& name) {
+  const bool numbered =
+      name.size() > 1 && name[0] == 'd' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+  return name == "baseline" || numbered;
+}
+
+std::string parse_name(const Json& design, const std::string& at, Mistakes& mistakes) {
+  const auto name = design.find("name");
+  if (name == design.end()) {
+    mistakes.push_back({at + "/name", "is missing; give the design a name of its own"});
+    return "";
+  }
+  if (!name->is_string() || !is_safe_name(name->get<std::string>())) {
+    mistakes.push_back(
+        {at + "/name", "is " + shown(*name) +
+                           ", must be 1 to 64 letters, digits, spaces or . _ + ( ) - and start with a "
+                           "letter or digit: it names a directory"});
+    return "";
+  }
+  if (is_reserved(*name)) {
+    mistakes.push_back(
+        {at + "/name",
+         "is " + shown(*name) + ", a name the program gives itself (baseline, d001 ...); choose another"});
+  }
+  return *name;
+}
+
+// A patch may change the ship, the ice and the run, not the study.
+bool parse_patch_keys(const Json& patch, const std::string& at, Mistakes& mistakes) {
+  if (!patch.is_object()) {
+    mistakes.push_back({at, "is " + shown(patch) + ", must be an object like {\"bow\": {\"stem_deg\": 20}}"});
+    return false;
+  }
+  std::vector<std::string> allowed = design_sections();
+  allowed.push_back("scale");
+  for (const auto& item : patch.items()) {
+    if (std::find(allowed.begin(), allowed.end(), item.key()) != allowed.end()) continue;
+    mistakes.push_back({at + "/" + item.key(), "cannot be changed by a design, which may set " +
+                                                   listed(allowed) + did_you_mean(item.key(), allowed)});
+  }
+  return true;
+}
+
+NamedDesign parse_design(const Json& document, const Json& design, const std::string& at,
+                         Mistakes& mistakes) {
+  NamedDesign named;
+  if (!design.is_object()) {
+    mistakes.push_back({at, "is " + shown(design) + ", must be {\"name\": \"...\", \"set\": {...}}"});
+    return named;
+  }
+  for (const auto& item : design.items()) {
+    if (item.key() == "name" || item.key() == "set") continue;
+    mistakes.push_back(
+        {at + "/" + item.key(),
+         "is not a key of a design" + did_you_mean(item.key(), {"name", "set"}) + "; it has name, set"});
+  }
+  named.name = parse_name(design, at, mistakes);
+  named.set = design.value("set", Json::object());
+  if (!parse_patch_keys(named.set, at + "/set", mistakes)) return named;
+  Json patched = document;
+  patched.merge_patch(named.set);
+  for (const Mistake& m : new_case_mistakes(document, patched)) {
+    mistakes.push_back({at + "/set" + m.pointer, m.message});
+  }
+  return named;
+}
+
+}  // namespace
+
+Mistakes new_case_mistakes(const Json& before, const Json& after) {
+  Mistakes old, all, fresh;
+  parse_case(before, old);
+  parse_case(after, all);
+  for (const Mistake& m : all) {
+    const bool known = std::any_of(old.begin(), old.end(), [&](const Mistake& o) {
+      return o.pointer == m.pointer && o.message == m.message;
+    });
+    if (!known) fresh.push_back(m);
+  }
+  return fresh;
+}
+
+std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes) {
+  std::vector<NamedDesign> designs;
+  if (!document.contains("designs")) return designs;
+  const Json& list = document.at("designs");
+  if (!list.is_array()) {
+    mistakes.push_back(
+        {"/designs", "is " + type_name(list) + ", must be a list [{\"name\": \"...\", \"set\": {...}}]"});
+    return designs;
+  }
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string at = "/designs/" + std::to_string(k);
+    designs.push_back(parse_design(document, list[k], at, mistakes));
+    const std::string& name = designs.back().name;
+    if (!name.empty() && !names.insert(name).second) {
+      mistakes.push_back(
+          {at + "/name", "is \"" + name + "\", the name of an earlier design; every name is its own"});
+    }
+  }
+  return designs;
+}
+
+void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes) {
+  if (!document.contains("evaluators")) return;
+  const Json& list = document.at("evaluators");
+  const std::vector<std::string> known = {"lindqvist", "peridynamics"};
+  if (!list.is_array() || list.empty()) {
+    mistakes.push_back(
+        {"/evaluators", "is " + shown(list) + ", must be a list of one or both of " + listed(known)});
+    return;
+  }
+  std::set<std::string> given;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string at = "/evaluators/" + std::to_string(k);
+    const std::string word = list[k].is_string() ? list[k].get<std::string>() : "";
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      mistakes.push_back(
+          {at, "is " + shown(list[k]) + ", must be one of " + listed(known) + did_you_mean(word, known)});
+    } else if (!given.insert(word).second) {
+      mistakes.push_back({at, "is \"" + word + "\" again; name each evaluator once"});
+    }
+  }
+  spec.use_lindqvist = given.count("lindqvist") > 0;
+  spec.use_peridynamics = given.count("peridynamics") > 0;
+}
+
+}  // namespace icebow

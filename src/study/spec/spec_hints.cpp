@@ -1,0 +1,61 @@
+#include "study/spec/spec_hints.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace icebow {
+
+int edit_distance(const std::string& a, const std::string& b) {
+  // Optimal string alignment: three rows of the usual table.
+  const int n = static_cast<int>(b.size());
+  std::vector<int> before(n + 1), previous(n + 1), row(n + 1);
+  for (int j = 0; j <= n; ++j) previous[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (int j = 1; j <= n; ++j) {
+      const int change = a[i - 1] == b[j - 1] ? 0 : 1;
+      row[j] = std::min({previous[j] + 1, row[j - 1] + 1, previous[j - 1] + change});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before = previous;
+    previous = row;
+  }
+  return previous[n];
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& known) {
+  std::string best;
+  int best_distance = 0;
+  for (const std::string& candidate : known) {
+    // A word contained in the other (beam for beam_m) is near however long the rest is.
+    const bool contained =
+        word.size() > 2 && (candidate.rfind(word, 0) == 0 || word.rfind(candidate, 0) == 0);
+    const int distance = contained ? 1 : edit_distance(word, candidate);
+    const int limit = 1 + static_cast<int>(std::max(word.size(), candidate.size())) / 3;
+    if (distance <= limit && (best.empty() || distance < best_distance)) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = nearest(word, known);
+  return near.empty() ? "" : " (did you mean \"" + near + "\"?)";
+}
+
+std::string brief(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace icebow

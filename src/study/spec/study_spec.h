@@ -1,0 +1,84 @@
+// A study file, read and checked. Everything here is SI, radians and full scale.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "hullgen/bow/bow.h"
+#include "solver/model/scenario.h"
+#include "solver/model/snapshot_format.h"
+#include "study/spec/own_hull.h"
+
+namespace icebow {
+
+enum class IceModel { paper, calibrated };  // docs/study_file.md, "Ice by its tests"
+
+// One fully described ship in one ice: what an evaluation needs, and nothing else.
+struct Case {
+  double lambda = 1.0;  // full scale / simulated scale
+  BowParameters bow;    // of a hull of the user's own: its dimensions and angles
+  OwnHull own;
+  IceMaterial ice;
+  IceModel ice_model = IceModel::paper;  // calibrated: ice.E is to be measured, ice.s0 and ice.K_I are 0
+  double flexural_strength = 0.0;        //!< for the formulas, and to be measured [Pa]
+  double compressive_strength = 0.0;     //!< to be measured [Pa]; 0 = not given
+  Water water;
+  Sheet sheet;
+  Numerics numerics;
+  double V = 0.0;                     //!< [m/s]
+  double advance = 0.0;               //!< [m]
+  double steady_from = 0.0;           //!< [m]
+  double stop_when_ci95_below = 0.0;  // relative half width that ends a run early; 0 = none does
+  std::uint64_t seed = 0;             // of the ice's start; 0 = at rest
+  int snapshots = 0, pictures = 0;
+  SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+};
+
+enum class MethodType { list, grid, latin_hypercube, optimise };
+
+// One parameter a method may change: a JSON pointer into the study file and its range, in the file's unit.
+struct Variable {
+  std::string pointer;  // "/bow/stem_deg"
+  double lower = 0.0, upper = 0.0;
+  int levels = 0;              // grid only
+  std::vector<double> values;  // grid only, instead of a range
+};
+
+struct Method {
+  MethodType type = MethodType::list;
+  std::vector<Variable> variables;
+  int samples = 0;  // latin_hypercube
+  std::uint64_t seed = 1;
+  std::string algorithm;    // optimise: "sbplx", "cobyla", ...
+  int max_evaluations = 0;  // optimise
+  double tolerance = 0.0;   // optimise: relative, on the parameters
+};
+
+// A named design: a JSON merge patch (RFC 7386) on the study file.
+struct NamedDesign {
+  std::string name;
+  Json set;
+};
+
+struct Execution {
+  int ranks_per_design = 1;
+  int designs_at_once = 0;    // 0 = cores / ranks_per_design
+  double time_limit_s = 0.0;  // per design; 0 = none
+};
+
+struct StudySpec {
+  std::string file, name, purpose;
+  Json document;  // as read: named designs and variables are applied to it
+  Case baseline;
+  bool use_lindqvist = true, use_peridynamics = true;
+  Method method;
+  std::vector<NamedDesign> designs;
+  bool include_baseline = true;
+  int repeats = 1;                    // simulations of each design, with different seeds
+  std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "lindqvist_breaking"
+  Execution execution;
+};
+
+}  // namespace icebow

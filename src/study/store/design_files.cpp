@@ -1,0 +1,73 @@
+#include "study/store/design_files.h"
+
+#include <filesystem>
+
+#include "base/errors.h"
+#include "study/evaluate/evaluate.h"
+
+namespace icebow {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The directory first, then the row: a kill in between leaves a move that is completed by doing it again.
+void move_design(Store& store, const std::string& study_directory, Evaluation e, const std::string& name) {
+  const fs::path from = design_directory(study_directory, e.name),
+                 to = design_directory(study_directory, name);
+  if (fs::exists(from)) {
+    fs::remove_all(to);
+    fs::rename(from, to);
+  }
+  e.name = name;
+  if (e.result.is_object() && e.result.contains("design")) e.result["design"] = name;
+  const fs::path file = to / "result.json";
+  if (fs::exists(file)) write_text_file(file.string(), json_text(e.result, 2) + "\n");
+  store.put(e);
+}
+
+std::string set_aside(const Evaluation& e) {
+  return e.name.substr(0, e.name.find('~')) + "~" + e.key.substr(0, 8);
+}
+
+// What a simulation that goes on from its checkpoint still needs.
+bool is_continued(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name == checkpoint_name || name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 ||
+         name == "hull.pvd";
+}
+
+}  // namespace
+
+std::string design_directory(const std::string& study_directory, const std::string& name) {
+  return (fs::path(study_directory) / "designs" / name).string();
+}
+
+void settle_name(Store& store, const std::string& study_directory, const std::string& name,
+                 const std::string& key) {
+  try {
+    const auto holder = store.find_name(name);
+    if (holder && holder->key != key) move_design(store, study_directory, *holder, set_aside(*holder));
+    const auto stored = store.find(key);
+    if (stored && stored->name != name) move_design(store, study_directory, *stored, name);
+  } catch (const fs::filesystem_error& error) {
+    throw RuntimeError(error.what());
+  }
+}
+
+void clear_design_directory(const std::string& study_directory, const std::string& name) {
+  const fs::path directory = design_directory(study_directory, name);
+  try {
+    const bool continues = fs::exists(directory / checkpoint_name);
+    if (!continues) fs::remove_all(directory);
+    fs::create_directories(directory);
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+      if (!is_continued(entry.path())) old.push_back(entry.path());
+    }
+    for (const fs::path& path : old) fs::remove_all(path);
+  } catch (const fs::filesystem_error& error) {
+    throw RuntimeError(error.what());
+  }
+}
+
+}  // namespace icebow

@@ -1,0 +1,148 @@
+#include "study/store/sqlite.h"
+
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "base/errors.h"
+
+namespace icebow {
+namespace {
+
+constexpr int wait_for_others_ms =
+    20000;  // a reader of a rollback journal holds the writer up for moments only
+
+std::string what_to_do(int code) {
+  switch (code & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "; another program holds it locked: close that program and run the same command again";
+    case SQLITE_FULL:
+      return "; the disk is full, what was stored before is kept: make room and run the same command again";
+    case SQLITE_NOTADB:
+      return "; this is not a result store of icebow";
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+      return "; check that the file and its directory exist and may be written";
+    default:
+      return "";
+  }
+}
+
+// A store on read-only media, its log folded in: SQLite reads it without locks or shared memory.
+std::string immutable_uri(const std::string& path) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).string()) {
+    if (c == '%' || c == '?' || c == '#') {
+      uri += c == '%' ? "%25" : c == '?' ? "%3f" : "%23";
+    } else {
+      uri += c;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
+}  // namespace
+
+Database::Database(std::string path, int flags) : path_(std::move(path)) {
+  if (sqlite3_open_v2(path_.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    try {
+      fail("cannot be opened");
+    } catch (...) {  // the destructor of a half-made object is not called
+      sqlite3_close(handle_);
+      throw;
+    }
+  }
+  sqlite3_busy_timeout(handle_, wait_for_others_ms);
+}
+
+Database::Database(Database&& other) noexcept
+    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+Database::~Database() {
+  sqlite3_close(handle_);
+}
+
+Database Database::open(const std::string& path) {
+  return Database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+}
+
+Database Database::open_read_only(const std::string& path) {
+  Database database(path, SQLITE_OPEN_READONLY);
+  const bool readable = sqlite3_exec(database.handle_, "SELECT count(*) FROM sqlite_master", nullptr, nullptr,
+                                     nullptr) == SQLITE_OK;
+  const int code = sqlite3_errcode(database.handle_);
+  const bool no_shared_memory = (code & 0xff) == SQLITE_CANTOPEN || (code & 0xff) == SQLITE_READONLY;
+  std::error_code missing;
+  const auto log_size = std::filesystem::file_size(path + "-wal", missing);
+  if (readable || !no_shared_memory || (!missing && log_size > 0)) return database;
+  return Database(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+}
+
+void Database::execute(const std::string& sql) {
+  if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("cannot be used");
+}
+
+void Database::try_at_once(const std::string& sql) noexcept {
+  sqlite3_busy_timeout(handle_, 0);
+  sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
+  sqlite3_busy_timeout(handle_, wait_for_others_ms);
+}
+
+std::string Database::text_of(const std::string& sql) const {
+  Statement statement(*this, sql);
+  return statement.step() ? statement.text(0) : "";
+}
+
+void Database::fail(const std::string& doing) const {
+  const int code = handle_ ? sqlite3_errcode(handle_) : SQLITE_NOMEM;
+  const std::string message = handle_ ? sqlite3_errmsg(handle_) : "out of memory";
+  throw RuntimeError(path_ + ": " + doing + ": " + message + what_to_do(code));
+}
+
+Statement::Statement(const Database& database, const std::string& sql) : database_(database) {
+  if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) {
+    database.fail("cannot be read");
+  }
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(statement_);
+}
+
+Statement& Statement::bind(const std::string& text) {
+  sqlite3_bind_text64(statement_, ++bound_, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  return *this;
+}
+
+Statement& Statement::bind(double value) {
+  sqlite3_bind_double(statement_, ++bound_, value);
+  return *this;
+}
+
+Statement& Statement::bind(int value) {
+  sqlite3_bind_int(statement_, ++bound_, value);
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE)
+    database_.fail(sqlite3_stmt_readonly(statement_) ? "cannot be read" : "cannot be written");
+  return false;
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : "";
+}
+
+double Statement::number(int column) const {
+  if (sqlite3_column_type(statement_, column) == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
+  return sqlite3_column_double(statement_, column);
+}
+
+}  // namespace icebow

@@ -1,0 +1,57 @@
+// The result store of a study: DIR/results.sqlite, written by one process. What it acknowledged survives a
+// kill.
+//
+// Rows are kept by key for as long as the file lives, so going back to an earlier version of a study file
+// finds its results. begin_study() says which of them belong to the study as it stands now.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/evaluate/evaluation.h"
+
+namespace icebow {
+
+enum class Journal {
+  automatic,  // WAL on a local disk, rollback on a network file system
+  rollback    // readers and the writer wait for each other, but it works everywhere
+};
+
+class Store {
+ public:
+  // Creates the file where there is none, and holds `path`.lock until it is closed: a second writer is
+  // refused. Throws RuntimeError naming the file (locked, full, not a store).
+  static Store open(const std::string& path, Journal journal = Journal::automatic);
+  // For readers, at any time, while a run writes too. Throws likewise.
+  static Store open_read_only(const std::string& path);
+  Store(Store&&) noexcept;
+  ~Store();
+
+  std::optional<Evaluation> find(const std::string& key) const;
+  std::optional<Evaluation> find_name(const std::string& name) const;
+  void put(const Evaluation& evaluation);  // inserts or replaces by key
+  void remove(const std::string& key);
+
+  // The evaluations of the present study, in its order; where no study was begun, every evaluation, in the
+  // order they were first put.
+  std::vector<Evaluation> all() const;
+  std::vector<Evaluation> everything()
+      const;  // those of earlier versions of the study file too, as first put
+
+  // Keys of the present study, in its order. They need not have been evaluated yet.
+  void begin_study(const std::vector<std::string>& keys);
+  void add_to_study(const std::string& key);
+
+  // Study-level facts: "study" (the document), "command", "version", "host", "started", "seed" ...
+  void set_fact(const std::string& name, const std::string& value);
+  std::string fact(const std::string& name) const;  // empty where unknown
+
+ private:
+  struct Impl;
+  explicit Store(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace icebow

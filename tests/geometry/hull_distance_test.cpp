@@ -1,0 +1,257 @@
+#include "geometry/hull_distance.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "base/errors.h"
+#include "base/units.h"
+#include "tests/support/shapes.h"
+
+using namespace icebow;
+
+namespace {
+
+Box grown(Box box, double by) {
+  return {box.lower - Vec3::Constant(by), box.upper + Vec3::Constant(by)};
+}
+
+std::vector<Vec3> random_points(const Box& box, int n, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> u(0.0, 1.0);
+  std::vector<Vec3> points;
+  for (int i = 0; i < n; ++i) {
+    const Vec3 r(u(engine), u(engine), u(engine));
+    points.push_back(box.lower + r.cwiseProduct(box.upper - box.lower));
+  }
+  return points;
+}
+
+// Points on and close to corners, edges and faces of the mesh: where ties and signs go wrong.
+std::vector<Vec3> critical_points(const QuadMesh& mesh, double offset, int n) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> gauss;
+  std::vector<Vec3> points;
+  const std::size_t stride = std::max<std::size_t>(1, mesh.quads.size() / n);
+  for (std::size_t q = 0; q < mesh.quads.size(); q += stride) {
+    const Vec3 &a = mesh.points[mesh.quads[q][0]], &b = mesh.points[mesh.quads[q][1]];
+    const Vec3 &c = mesh.points[mesh.quads[q][2]], &d = mesh.points[mesh.quads[q][3]];
+    for (const Vec3& on : {a, Vec3(0.5 * (a + b)), Vec3(0.3 * b + 0.7 * c), Vec3(0.25 * (a + b + c + d))}) {
+      points.push_back(on);
+      points.push_back(on + offset * Vec3(gauss(engine), gauss(engine), gauss(engine)));
+    }
+  }
+  return points;
+}
+
+// Solid angle of the surface seen from p over 4 pi: 1 inside, 0 outside (van Oosterom and Strackee 1983).
+double winding_number(const TriangleSurface& surface, const Vec3& p) {
+  double angle = 0.0;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    const auto [ca, cb, cc] = surface.corners(t);
+    const Vec3 a = ca - p, b = cb - p, c = cc - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    angle +=
+        2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
+  }
+  return angle / (4.0 * pi);
+}
+
+bool same(const ClosestPoint& a, const ClosestPoint& b) {
+  return a.signed_distance == b.signed_distance && a.point == b.point && a.normal == b.normal &&
+         a.quad == b.quad;
+}
+
+// The filter never loses a point that is inside, and the fast search gives the bits of the slow one.
+void compare_with_brute_force(const QuadMesh& mesh, const Box& region, const std::vector<Vec3>& points) {
+  const HullDistance hull(mesh, region);
+  int differ = 0, lost = 0, inside = 0, not_unit = 0;
+  for (const Vec3& p : points) {
+    const ClosestPoint slow = closest_brute_force(hull.surface(), p), fast = hull.closest(p);
+    differ += !same(slow, fast);
+    const bool asked = (p.array() >= region.lower.array()).all() && (p.array() <= region.upper.array()).all();
+    lost += asked && slow.signed_distance < 0.0 && !hull.may_be_inside(p);
+    inside += slow.signed_distance < 0.0;
+    not_unit += std::abs(fast.normal.norm() - 1.0) > 1e-12;
+  }
+  CHECK(differ == 0);
+  CHECK(lost == 0);
+  CHECK(not_unit == 0);
+  CHECK(inside > static_cast<int>(points.size()) / 50);
+}
+
+void compare_sign_with_winding_number(const QuadMesh& mesh, const std::vector<Vec3>& points) {
+  const TriangleSurface surface(mesh);
+  int wrong = 0;
+  for (const Vec3& p : points) {
+    const ClosestPoint at = closest_brute_force(surface, p);
+    if (std::abs(at.signed_distance) < 1e-9) continue;
+    wrong += (winding_number(surface, p) > 0.5) != (at.signed_distance < 0.0);
+  }
+  CHECK(wrong == 0);
+}
+
+double box_distance(const Vec3& p) {  // of the box +-(1, 2, 3)
+  const Vec3 q = p.cwiseAbs() - Vec3(1, 2, 3);
+  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
+}
+
+const std::set<std::array<int, 3>> corner_of_cubes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+QuadMesh wedge(double sharpness, int n) {
+  return shapes::mapped_cube({n, 2, n}, [=](const Vec3& p) -> Vec3 {
+    return {p.x(), (p.y() - 0.5) * sharpness * (1.0 - p.x()), p.z()};
+  });
+}
+
+}  // namespace
+
+TEST_CASE("Hull distance: a box has its textbook distance") {
+  const QuadMesh mesh = shapes::box({-1, -2, -3}, {1, 2, 3}, {2, 3, 4});
+  const Box region = grown(bounding_box(mesh), 0.5);
+  const HullDistance hull(mesh, region);
+  for (const Vec3& p : random_points(region, 2000, 1))
+    CHECK(hull.closest(p).signed_distance == Approx(box_distance(p)).margin(1e-13));
+  const ClosestPoint at = hull.closest({0.9, 0.3, 0.4});
+  CHECK(at.point.isApprox(Vec3(1, 0.3, 0.4)));
+  CHECK(at.normal.isApprox(Vec3(1, 0, 0)));
+  CHECK(mesh.points[mesh.quads[at.quad][0]].x() == 1.0);
+}
+
+TEST_CASE("Hull distance: equal to brute force") {
+  SECTION("box") {
+    for (const int n : {1, 4, 12}) {
+      const QuadMesh mesh = shapes::box({-1, -2, -3}, {1, 2, 3}, {n, n, n});
+      const Box region = grown(bounding_box(mesh), 0.2);
+      compare_with_brute_force(mesh, region, random_points(region, 1500, 2));
+      compare_with_brute_force(mesh, region, critical_points(mesh, 1e-3, 100));
+    }
+  }
+  SECTION("wedge of 6 degrees with a sharp edge") {
+    for (const int n : {1, 5, 20}) {
+      const QuadMesh mesh = wedge(0.1, n);
+      const Box region = grown(bounding_box(mesh), 0.02);
+      compare_with_brute_force(mesh, region, random_points(region, 1500, 3));
+      compare_with_brute_force(mesh, region, critical_points(mesh, 1e-3, 100));
+    }
+  }
+  SECTION("ship-like hull cut to the ice") {
+    for (const int quads : {200, 1500, 9000}) {
+      const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, quads);
+      Box region = bounding_box(mesh);
+      region.lower.z() = -0.3, region.upper.z() = 0.1;
+      compare_with_brute_force(mesh, region, random_points(region, 600, 4));
+      compare_with_brute_force(mesh, region, critical_points(mesh, 2e-3, 60));
+    }
+  }
+  SECTION("strongly warped quads") {
+    const auto wavy = [](const Vec3& p) -> Vec3 {
+      return p + 0.08 * Vec3(std::sin(9 * p.y() + 4 * p.z()), std::sin(8 * p.z() + 5 * p.x()),
+                             std::sin(7 * p.x() - 6 * p.y()));
+    };
+    for (const int n : {2, 5, 11}) {
+      const QuadMesh mesh = shapes::mapped_cube({n, n, n}, wavy);
+      const Box region = grown(bounding_box(mesh), 0.05);
+      compare_with_brute_force(mesh, region, random_points(region, 1500, 6));
+      compare_with_brute_force(mesh, region, critical_points(mesh, 1e-3, 100));
+      compare_sign_with_winding_number(mesh, random_points(region, 300, 7));
+    }
+  }
+  SECTION("quads given as triangles") {
+    const QuadMesh mesh = shapes::triangulated(shapes::hull(6.0, 0.92, 0.54, 600));
+    compare_with_brute_force(mesh, bounding_box(mesh), random_points(bounding_box(mesh), 500, 8));
+    CHECK(mesh.is_triangle(0));
+  }
+}
+
+TEST_CASE("Hull distance: the sign agrees with the winding number at edges and corners") {
+  for (const QuadMesh& mesh :
+       {shapes::cubes(corner_of_cubes), wedge(0.1, 3), shapes::hull(6.0, 0.92, 0.54, 300)}) {
+    compare_sign_with_winding_number(mesh, random_points(grown(bounding_box(mesh), 0.1), 800, 9));
+    compare_sign_with_winding_number(mesh, critical_points(mesh, 1e-4, 200));
+  }
+}
+
+TEST_CASE("Hull distance: from inside a concave edge the way out is the diagonal") {
+  const QuadMesh mesh = shapes::cubes(corner_of_cubes);
+  const HullDistance hull(mesh, bounding_box(mesh));
+  const ClosestPoint edge = hull.closest({0.9, 0.9, 0.2});
+  CHECK(edge.signed_distance == Approx(-std::hypot(0.1, 0.1)));
+  CHECK(edge.normal.isApprox(Vec3(1, 1, 0).normalized()));
+  const ClosestPoint corner = hull.closest({0.95, 0.95, 0.95});  // three edges meet, each equally near
+  CHECK(corner.signed_distance == Approx(-std::hypot(0.05, 0.05)));
+  CHECK(hull.closest({1.05, 1.05, 0.2}).signed_distance == Approx(0.05));
+}
+
+TEST_CASE("Hull distance: points in batches are those found one by one") {
+  const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
+  Box region = bounding_box(mesh);
+  region.lower.z() = -0.2, region.upper.z() = 0.1;
+  const HullDistance hull(mesh, region);
+  const Vec3 origin(1.7, -0.2, 0.01);
+  std::vector<float> x, y, z;
+  for (const Vec3& p : random_points(grown(region, 0.3), 3000, 10)) {
+    x.push_back(static_cast<float>(p.x() + origin.x()));
+    y.push_back(static_cast<float>(p.y() + origin.y()));
+    z.push_back(static_cast<float>(p.z() + origin.z()));
+  }
+  x[7] = std::numeric_limits<float>::quiet_NaN();
+  y[8] = -std::numeric_limits<float>::infinity();
+  std::vector<InsidePoint> found;
+  hull.find_inside(x.data(), y.data(), z.data(), x.size(), origin, found);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec3 p = Vec3(x[i], y[i], z[i]) - origin;
+    if (!hull.may_be_inside(p) || hull.closest(p).signed_distance >= 0.0) continue;
+    REQUIRE(next < found.size());
+    CHECK(found[next].index == i);
+    CHECK(same(found[next].closest, hull.closest(p)));
+    ++next;
+  }
+  CHECK(next == found.size());
+  CHECK(next > 300);
+}
+
+TEST_CASE("Hull distance: the filter is tight") {
+  const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
+  const HullDistance hull(mesh, bounding_box(mesh));
+  int near = 0, mistaken = 0;
+  for (const Vec3& p : random_points(bounding_box(mesh), 30000, 11)) {
+    const bool maybe = hull.may_be_inside(p);
+    const double distance = hull.closest(p).signed_distance;
+    if (distance > 2.0 * hull.grid().size) CHECK_FALSE(maybe);
+    if (distance < 0.0) CHECK(maybe);
+    near += distance > 0.0 && distance < hull.grid().size;
+    mistaken += distance > 0.0 && distance < hull.grid().size && maybe;
+  }
+  CHECK(near > 200);
+  CHECK(mistaken < near / 20);  // the planes of the surface cells: without them it would be most
+  CHECK_FALSE(hull.may_be_inside({100, 0, 0}));
+  CHECK_FALSE(hull.may_be_inside(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())));
+}
+
+TEST_CASE("Hull distance: the grid stays within its bound") {
+  for (const int quads : {100, 20000}) {
+    const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, quads);
+    const HullDistance hull(mesh, bounding_box(mesh));
+    CHECK(hull.grid().cells() <= CellGrid::most_cells);
+    CHECK(hull.grid().cells() >= CellGrid::most_cells / 5);
+    CHECK(hull.bytes() < 50'000'000 + 500u * mesh.quads.size());
+  }
+  const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 100);
+  const HullDistance apart(mesh, {{20, 0, 0}, {21, 1, 1}});  // a region the hull does not reach
+  CHECK_FALSE(apart.may_be_inside({-2, 0, 0}));
+  CHECK_FALSE(apart.may_be_inside({20.5, 0.5, 0.5}));
+  CHECK(apart.closest({-2, 0, 0}).signed_distance < 0.0);
+}
+
+TEST_CASE("Hull distance: a surface that is not closed is refused") {
+  QuadMesh open = shapes::box({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  open.quads.pop_back();
+  CHECK_THROWS_AS(HullDistance(open, bounding_box(open)), InputError);
+  CHECK_THROWS_WITH(TriangleSurface(open), Catch::Contains("not closed") && Catch::Contains("4 of"));
+  QuadMesh flipped = shapes::box({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
+  std::swap(flipped.quads[0][1], flipped.quads[0][3]);
+  CHECK_THROWS_AS(TriangleSurface(flipped), InputError);
+}

@@ -1,0 +1,108 @@
+#include "hullgen/drawing/lines_plan.h"
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <map>
+#include <regex>
+
+#include "base/units.h"
+#include "hullgen/bow/make_hull.h"
+#include "hullgen/drawing/svg_canvas.h"
+#include "tests/support/paper_bows.h"
+
+using namespace icebow;
+
+namespace {
+
+int count(const std::string& words, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = words.find(part); at != std::string::npos; at = words.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("the lines plan names dimensions, the four measured angles and is one self-contained element") {
+  for (const BowParameters& bow : {conventional_bow(), thyssen_waas_bow()}) {
+    const std::string svg = lines_plan_svg(make_hull(bow), bow, "A <bow> & more");
+    CHECK(svg.rfind("<svg ", 0) == 0);
+    CHECK(svg.find("</svg>") == svg.size() - 7);
+    CHECK(svg.find("A &lt;bow&gt; &amp; more") != std::string::npos);
+    CHECK(svg.find("href") == std::string::npos);
+    CHECK(svg.find(" id=") == std::string::npos);  // several drawings share one page
+    CHECK(svg.find("nan") == std::string::npos);
+    for (const char* name : {"stem", "waterline", "buttock", "flare"})
+      CHECK(std::regex_search(svg,
+                              std::regex("class=\"angle\"[^>]*>" + std::string(name) + " [0-9.]+\u00b0<")));
+    CHECK(count(svg, "class=\"arc\"") == 4);
+    CHECK(count(svg, "class=\"buttock\"") >= 3);
+    CHECK(count(svg, "class=\"waterline\"") >= 4);
+    CHECK(count(svg, "class=\"station\"") >= 8);
+    CHECK(count(svg, "class=\"dwl-cut\"") == 1);
+    CHECK(svg.size() < 40000);
+  }
+}
+
+TEST_CASE("a bow without a hull says why it has no lines") {
+  BowParameters bow = conventional_bow();
+  bow.Lf = 20.0;
+  const std::string svg = lines_plan_svg(make_hull(bow), bow, "Short");
+  CHECK(svg.find("raise the bow length Lf") != std::string::npos);
+}
+
+TEST_CASE(
+    "two hulls in one plan: both names, the angles of both, the second's lines in a group of their own") {
+  const BowParameters first = conventional_bow(), second = thyssen_waas_bow();
+  const Hull a = make_hull(first), b = make_hull(second);
+  const std::string svg = overlaid_lines_plan_svg({a, first, "One & only"}, {b, second, "Other"}, "Both");
+  CHECK(svg.find("One &amp; only: ") != std::string::npos);
+  CHECK(svg.find("Other: ") != std::string::npos);
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(count(svg, "<g class=\"second\">") == 4);  // legend and three views
+  CHECK(count(svg, "</g>") == 4);
+  for (const BowAngles& angles : {first.angles, second.angles})
+    for (double angle : {angles.stem, angles.waterline, angles.buttock, angles.flare}) {
+      char words[32];
+      std::snprintf(words, sizeof words, ">%.2f<", degrees(angle));
+      CHECK(svg.find(words) != std::string::npos);
+    }
+  CHECK(count(svg, "class=\"dwl-cut\"") == 2);
+  // Of a hull over itself every line is there twice, in the same place.
+  const std::string twice = overlaid_lines_plan_svg({a, first, "A"}, {a, first, "A"}, "A");
+  const std::regex waterline("class=\"waterline\" d=\"([^\"]*)\"");
+  std::map<std::string, int> drawn;
+  for (std::sregex_iterator it(twice.begin(), twice.end(), waterline), end; it != end; ++it)
+    ++drawn[(*it)[1]];
+  REQUIRE(drawn.size() >= 4);
+  for (const auto& line : drawn) CHECK(line.second == 2);
+}
+
+TEST_CASE("for print there are no CSS variables, on a screen there are") {
+  const BowParameters bow = conventional_bow();
+  const Hull hull = make_hull(bow);
+  const std::string print = lines_plan_svg(hull, bow, "A", DrawnFor::print);
+  for (const char* word : {"var(", "currentColor", "$", "@media"})
+    CHECK(print.find(word) == std::string::npos);
+  const std::string screen = lines_plan_svg(hull, bow, "A");
+  CHECK(screen.find("var(--lp-second,") != std::string::npos);
+  CHECK(screen.find("$") == std::string::npos);
+}
+
+TEST_CASE("a label keeps off lines where it can, and off other labels always") {
+  SvgCanvas svg(100, 100, "c", "", "t");
+  svg.line({0, 48}, {100, 46}, "buttock");
+  svg.line({0, 80}, {100, 80}, "grid");  // may be covered
+  CHECK(svg.label({50, 50}, "one", Anchor::middle, "n", {{0, 5}, {0, 33}}));
+  CHECK(svg.svg().find("y=\"83.0\"") != std::string::npos);
+  CHECK(svg.label({50, 50}, "two", Anchor::middle, "n", {{0, 33}}));
+  CHECK(svg.svg().find("y=\"50.0\"") != std::string::npos);
+}
+
+TEST_CASE("a label that would cover another moves or is left out") {
+  SvgCanvas svg(100, 100, "c", "", "t");
+  CHECK(svg.label({50, 50}, "one", Anchor::middle, "n"));
+  CHECK_FALSE(svg.label({52, 50}, "two", Anchor::middle, "n"));
+  CHECK(svg.label({52, 50}, "three", Anchor::middle, "n", {{0, -20}}));
+  CHECK(svg.svg().find("two") == std::string::npos);
+  CHECK(svg.svg().find("y=\"30.0\"") != std::string::npos);
+}

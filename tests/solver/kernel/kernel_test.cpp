@@ -1,0 +1,208 @@
+#include "solver/kernel/kernel.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "tests/support/ice_block.h"
+
+using namespace icebow;
+
+namespace {
+
+template <class Real, int n>
+double evaluate(const Real (&c)[n], double e) {
+  double p = 0.0;
+  for (int power = n - 1; power >= 0; --power) p = p * e + c[power];
+  return p;
+}
+
+// `first` is what the coefficients of G and H were divided by.
+template <class Real, int degree>
+void check_fits(const LawFits<Real, degree>& law, double lower, double upper, double tolerance,
+                double first = 1.0) {
+  for (int n = 0; n <= 1000; ++n) {
+    const double e = lower + (upper - lower) * n / 1000.0, root = std::sqrt(1.0 + e);
+    CHECK(std::abs(first * evaluate(law.G, e) * (1.0 + root) - 1.0) < tolerance);
+    CHECK(std::abs(evaluate(law.R, e) * root - 1.0) < tolerance);
+    CHECK(std::abs(first * evaluate(law.H, e) * root * (1.0 + root) - 1.0) < tolerance);
+  }
+}
+
+Vec3 rotated(const Vec3& x, double angle) {
+  return {std::cos(angle) * x.x() - std::sin(angle) * x.z(), x.y(),
+          std::sin(angle) * x.x() + std::cos(angle) * x.z()};
+}
+
+// What a strain of 1e-3 would cause: the yardstick for "no force".
+double elastic_acceleration(const IceBlock& b) {
+  return 1e-3 * b.material.kappa / (826.6 * b.lattice.dx);
+}
+
+Material stretch_material(double s0) {
+  IceMaterial ice = block_scenario(1, 1, 1).ice;
+  ice.s0 = s0;
+  return make_material(ice, 0.013, 3.0);
+}
+
+}  // namespace
+
+TEST_CASE("the fitted bond law is the exact one") {
+  for (double s0 : {0.0005, 0.0052, 0.04}) {
+    const auto fp32 = make_bond_law<float>(stretch_material(s0));
+    check_fits(fp32.wide, fp32.e_min, fp32.e_max, 2e-6);
+    check_fits(fp32.small, -fp32.e_small, fp32.e_small, 2e-6);
+    check_fits(fp32.calm, -fp32.e_calm, fp32.e_calm, 0.76 * calm_strain, 0.5);
+    const auto fp64 = make_bond_law<double>(stretch_material(s0));
+    check_fits(fp64.wide, fp64.e_min, fp64.e_max, 2e-11);
+    check_fits(fp64.small, -fp64.e_small, fp64.e_small, 2e-11);
+    check_fits(fp64.calm, -fp64.e_calm, fp64.e_calm, 1e-9, 0.5);
+  }
+}
+
+TEST_CASE("rigid motion and a quarter turn of a floe cause no force and break nothing") {
+  IceBlock b(block_scenario(20, 9, 3));
+  for (double angle : {0.0, 0.3, 1.5707963}) {
+    b.displace([&](const Vec3& x) -> Vec3 { return rotated(x, angle) - x + Vec3(0.1, -0.05, 0.2); });
+    CHECK(b.accelerate() == 0);
+    CHECK(b.largest_acceleration() < 2e-2 * elastic_acceleration(b));
+  }
+}
+
+TEST_CASE("uniform expansion has its trace as dilatation, at edges and corners too") {
+  IceBlock b(block_scenario(20, 11, 3));
+  const double strain = 1e-4;
+  b.displace([&](const Vec3& x) -> Vec3 { return strain * x; });
+  b.accelerate();
+  double lowest = 1.0, highest = 0.0;
+  b.for_each([&](int, int, int, std::size_t p) {
+    lowest = std::min(lowest, double(b.sheet.theta[p]));
+    highest = std::max(highest, double(b.sheet.theta[p]));
+  });
+  // The correction makes each axis exact for a particle whose neighbours are like itself; at a corner they
+  // are not.
+  CHECK(lowest > 0.75 * 3 * strain);
+  CHECK(highest < 1.25 * 3 * strain);
+}
+
+TEST_CASE("uniaxial strain of a thick block carries the continuum's stress") {
+  const int n = 22;
+  IceBlock b(block_scenario(n, n, n));
+  const double strain = 2e-4;
+  b.displace([&](const Vec3& x) -> Vec3 { return Vec3(strain * x.x(), 0.0, 0.0); });
+  b.accelerate();
+  double force = 0.0;  // that the left half exerts on the right one: inner forces of the right half cancel
+  const double mass = 826.6 * b.lattice.particle_volume();
+  b.for_each([&](int i, int, int, std::size_t p) {
+    if (i >= n / 2) force += mass * b.acceleration(p).x();
+  });
+  const double area = n * n * b.lattice.dx * b.lattice.dx;
+  const double stress = strain * (b.material.kappa + 4.0 * b.material.mu / 3.0);
+  CHECK(-force / area == Approx(stress).epsilon(0.03));
+}
+
+TEST_CASE("bond forces cancel: no net force, no net moment") {
+  IceBlock b(block_scenario(33, 10, 3));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1e-6, 1e-6);
+  b.displace([&](const Vec3&) -> Vec3 { return Vec3(uniform(random), uniform(random), uniform(random)); });
+  b.accelerate();
+  Vec3 sum = Vec3::Zero();
+  double magnitude = 0.0;
+  b.for_each([&](int, int, int, std::size_t p) {
+    sum += b.acceleration(p);
+    magnitude += b.acceleration(p).norm();
+  });
+  CHECK(sum.norm() < 1e-5 * magnitude);
+}
+
+TEST_CASE("an overstretched bond breaks and never heals") {
+  IceBlock b(block_scenario(40, 9, 2));
+  const std::int64_t before = b.sheet.bits.count();
+  const double cut = 20 * b.lattice.dx;
+  b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
+  // A block that was intact notices in one step and breaks its bonds in the next.
+  const std::int64_t broken = b.accelerate() + b.accelerate();
+  CHECK(broken > 0);
+  CHECK(b.sheet.bits.count() == before - broken);
+  CHECK(b.accelerate() == 0);
+  b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
+  CHECK(b.accelerate() == 0);
+  CHECK(b.sheet.bits.count() == before - broken);
+}
+
+TEST_CASE("a strongly compressed bond pushes back and does not break") {
+  IceBlock b(block_scenario(20, 9, 2));
+  b.displace([&](const Vec3& x) -> Vec3 { return Vec3(-0.3 * x.x(), 0.0, 0.0); });
+  CHECK(b.accelerate() == 0);
+  double first = 0.0, last = 0.0;
+  b.for_each([&](int i, int j, int, std::size_t p) {
+    if (j != 4) return;
+    if (i == 0) first = b.acceleration(p).x();
+    if (i == 19) last = b.acceleration(p).x();
+  });
+  CHECK(first < 0.0);
+  CHECK(last > 0.0);
+}
+
+TEST_CASE("linear blocks: the force of a smooth small field is that of the full law") {
+  // All layers, ends and sides of the sheet: each has weights of its own.
+  for (int nz : {1, 2, 3, 5}) {
+    Scenario s = block_scenario(70, 20, nz);
+    IceBlock linear(s);
+    s.numerics.linear_below = 0.0;
+    IceBlock full(s);
+    for (IceBlock* b : {&linear, &full}) {
+      b->displace([&](const Vec3& x) -> Vec3 {
+        return 1e-5 * Vec3(0.3 + std::sin(20 * x.y() + 3 * x.x()), std::cos(15 * x.x() - 30 * x.z()),
+                           std::sin(12 * x.x()) * std::cos(20 * x.y()));
+      });
+      b->accelerate();
+    }
+    CHECK(linear.sheet.linear_share() == 1.0);
+    CHECK(full.sheet.linear_share() == 0.0);
+    const double largest = full.largest_acceleration();
+    double error = 0.0, theta_error = 0.0;
+    full.for_each([&](int, int, int, std::size_t p) {
+      error = std::max(error, (linear.acceleration(p) - full.acceleration(p)).norm() / largest);
+      theta_error = std::max(theta_error, std::abs(linear.sheet.theta[p] - full.sheet.theta[p]));
+    });
+    INFO(nz << " layers: force " << error << ", dilatation " << theta_error);
+    CHECK(error < 1e-3);  // displacement gradients reach 3e-4
+    CHECK(theta_error < 1e-6);
+  }
+}
+
+TEST_CASE("linear blocks end where ice is bent, and next to a crack") {
+  IceBlock b(block_scenario(160, 20, 3));
+  const double bent = 40 * b.lattice.dx;
+  b.displace([&](const Vec3& x) -> Vec3 { return {0.0, 0.0, x.x() < bent ? 1.1e-3 * (bent - x.x()) : 0.0}; });
+  b.accelerate();
+  // Blocks 0 to 2 are bent or within a bond's reach of it, 3 to 9 are not.
+  CHECK(b.sheet.linear_share() == Approx(0.7));
+  b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
+  b.accelerate();
+  CHECK(b.sheet.linear_share() == 1.0);
+  const double cut = 120 * b.lattice.dx;
+  b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
+  b.accelerate();
+  CHECK(b.accelerate() > 0);
+  b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
+  b.accelerate();
+  CHECK(b.sheet.linear_share() == Approx(0.7));  // the cut runs through block 7: 6 to 8
+}
+
+TEST_CASE("every vector width computes the same") {
+  IceBlock wide(block_scenario(40, 9, 3));
+  IceBlock narrow(block_scenario(40, 9, 3), Communicator::serial(), baseline_kernels());
+  for (IceBlock* b : {&wide, &narrow}) {
+    b->displace([](const Vec3& x) -> Vec3 {
+      return {1e-5 * std::sin(40 * x.y()), 2e-5 * std::sin(30 * x.x()), 1e-5 * x.x()};
+    });
+    b->accelerate();
+  }
+  const double scale = wide.largest_acceleration();
+  wide.for_each([&](int, int, int, std::size_t p) {
+    CHECK((wide.acceleration(p) - narrow.acceleration(p)).norm() < 1e-4 * scale);
+  });
+}

@@ -1,0 +1,325 @@
+// A run in two parts is the same run: whatever the number of ranks of either part.
+#include "solver/run/checkpoint.h"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "base/json.h"
+#include "base/parallel_file.h"
+#include "solver/run/case_text.h"
+#include "solver/run/sheet_file.h"
+#include "tests/support/checkpoint_case.h"
+#include "tests/support/main.h"
+#include "tests/support/same_record.h"
+
+using namespace icebow;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A run by hand, to look into the sheet.
+struct Run {
+  Run(const Communicator& c, const Scenario& scenario)
+      : comm(c),
+        s(scenario),
+        size(run_size(hull, s)),
+        lattice(make_lattice(s)),
+        stepper(comm, hull, s, lattice, size.dt, first_touch_x(hull, lattice)),
+        recorder(comm, stepper, s),
+        snapshots(comm, hull, s, options),
+        process(comm, hull, s, stepper, recorder.steps_per_sample()) {}
+
+  void samples(int n) {
+    std::string reason;
+    for (std::int64_t step = 0; step < n * recorder.steps_per_sample(); ++step) {
+      stepper.step();
+      if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
+      REQUIRE(recorder.sample(stepper, reason));
+      process.sample(stepper);
+    }
+  }
+  RunState state() { return {stepper, recorder, snapshots, process}; }
+  std::string text() const { return case_text(hull, s, options); }
+
+  const Communicator& comm;
+  QuadMesh hull = tiny_hull();
+  Scenario s;
+  RunOptions options;
+  RunSize size;
+  Lattice lattice;
+  Stepper stepper;
+  Recorder recorder;
+  Snapshots snapshots;
+  ProcessWatch process;
+};
+
+// Groups of 1, 2, .. ranks out of the world's; the others do nothing.
+template <class Body>
+void with_ranks(int n, const Body& body) {
+  const Communicator part = test_world().split(test_world().rank() < n ? 0 : 1);
+  if (test_world().rank() < n) body(part);
+  test_world().barrier();
+}
+
+// This rank's part of one against the whole of the other.
+void check_same(const IceSheet& part, const IceSheet& whole) {
+  const Layout &l = part.layout, &w = whole.layout;
+  int different = 0;
+  for (int jl = 0; jl < l.columns; ++jl) {
+    for (int k = 0; k < l.nz; ++k) {
+      const std::size_t a = l.row(jl, k), b = w.row(jl + l.j0, k) + l.i0;
+      const auto differs = [&](const auto& x, const auto& y) {
+        const std::size_t size = x.element_size();
+        return std::memcmp(x.bytes() + a * size, y.bytes() + b * size, l.blocks * block * size) != 0;
+      };
+      for (int c = 0; c < 3; ++c) {
+        different += differs(part.u[c], whole.u[c]) + differs(part.v[c], whole.v[c]);
+        different += differs(part.residual[c], whole.residual[c]);
+      }
+    }
+    const std::size_t per_block = part.bits.per_block();
+    different += std::memcmp(part.bits.row(jl, 0), whole.bits.row(jl + l.j0, 0) + l.i0 / block * per_block,
+                             l.blocks * per_block * sizeof(std::uint16_t)) != 0;
+  }
+  CHECK(different == 0);
+}
+
+void check_second_part(const Communicator& comm, const std::string& file, const Run& straight,
+                       const Scenario& s) {
+  Run run(comm, s);
+  REQUIRE(why_not_resumable(comm, file, run.text(), precision_of(run.stepper.sheet())).empty());
+  RunState state = run.state();
+  load_checkpoint(comm, file, state);
+  CHECK(state.wall_seconds == 12.5);
+  run.samples(10);
+  std::int64_t broken = run.stepper.broken_bonds();
+  comm.sum(&broken, 1);
+  CHECK(broken == straight.stepper.broken_bonds());
+  CHECK(run.stepper.steps() == straight.stepper.steps());
+  check_same_record(run.recorder.history(), straight.recorder.history());
+  check_same(run.stepper.sheet(), straight.stepper.sheet());
+  CHECK(run.process.crack_record() == straight.process.crack_record());
+  if (comm.is_root()) CHECK(run.process.ice_record() == straight.process.ice_record());
+}
+
+void check_two_parts(Scenario s) {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "checkpoint");
+  const std::string file = folder.file("c.h5");
+  const Communicator alone = Communicator::serial();
+  Run straight(alone, s);
+  straight.samples(34);
+  REQUIRE(straight.stepper.broken_bonds() > 1000);
+  REQUIRE_FALSE(straight.process.crack_record().empty());
+
+  Run first(world, s);
+  first.samples(24);
+  RunState state = first.state();
+  state.wall_seconds = 12.5;
+  save_checkpoint(world, file, first.text(), state);
+  CHECK(fs::exists(file));
+  CHECK_FALSE(fs::exists(file + ".tmp"));
+  s.numerics.ranks_along_x = 0;
+  for (int n = 1; n <= world.size(); ++n) {
+    with_ranks(n, [&](const Communicator& comm) { check_second_part(comm, file, straight, s); });
+  }
+  if (world.size() % 2 == 0) {
+    s.numerics.ranks_along_x = 2;
+    check_second_part(world, file, straight, s);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a run goes on from its checkpoint bit for bit on any number of ranks") {
+  check_two_parts(breaking_ice());
+}
+
+TEST_CASE("a checkpoint of ranks along the course is read by any other grid") {
+  if (test_world().size() % 2 != 0) return;
+  Scenario s = breaking_ice();
+  s.numerics.ranks_along_x = 2;
+  check_two_parts(s);
+}
+
+TEST_CASE("a run in a moving window goes on from its checkpoint") {
+  Scenario s = breaking_ice();
+  s.V = 1.0;
+  s.sheet.window_ahead = s.sheet.length - 0.1;  // moves before the cut
+  check_two_parts(s);
+}
+
+TEST_CASE("a run in ice that breaks by stress and is crushed goes on from its checkpoint") {
+  Scenario s = breaking_ice();
+  s.ice.K_I = 0.0;
+  s.ice.tensile_strength = 60e3;
+  s.ice.crushing_pressure = 200e3;
+  s.numerics.contact = ContactRule::crushing;
+  check_two_parts(s);
+}
+
+TEST_CASE("a half model goes on from its checkpoint, in a moving window too") {
+  Scenario s = breaking_ice();
+  s.sheet.half_model = true;
+  check_two_parts(s);
+  s.V = 1.0;
+  s.sheet.window_ahead = s.sheet.length - 0.1;
+  check_two_parts(s);
+}
+
+namespace {
+
+struct Files {
+  explicit Files(const Communicator& comm) : folder(comm, "checkpoint_run") {
+    options.directory = folder.path();
+    options.checkpoint_file = folder.file("checkpoint.h5");
+    options.snapshots = 3;
+    options.pictures = 8;
+    options.on_resume = [this](std::int64_t step) { resumed_at = step; };
+  }
+  // Stops when the first picture is there, or as soon as it can.
+  RunResult interrupted(const Scenario& s, bool at_once = true) {
+    RunOptions until = options;
+    until.checkpoint_every_s = at_once ? 0.0 : 0.05;
+    until.stop = [&] { return at_once || fs::exists(folder.file("ice_000.png")); };
+    return simulate(test_world(), tiny_hull(), s, until);
+  }
+  TestFolder folder;
+  RunOptions options;
+  std::int64_t resumed_at = -1;
+};
+
+Scenario slow() {
+  Scenario s = breaking_ice();
+  s.advance = 0.25;
+  s.numerics.dt_fraction = 0.5;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("an interrupted run continues when it is started again, its files too") {
+  const Communicator& world = test_world();
+  Files files(world);
+  const Scenario s = slow();
+  const RunResult first = files.interrupted(s, false);
+  REQUIRE(first.status == RunStatus::interrupted);
+  CHECK(fs::exists(files.options.checkpoint_file));
+
+  const RunResult second = simulate(world, tiny_hull(), s, files.options);
+  REQUIRE(second.status == RunStatus::ok);
+  if (world.is_root()) CHECK(files.resumed_at == first.steps);
+  CHECK(second.wall_seconds > first.wall_seconds);
+  CHECK_FALSE(fs::exists(files.options.checkpoint_file));
+  check_same_record(second.history, simulate(world, tiny_hull(), s, {}).history);
+  REQUIRE(second.pictures.size() == 8);
+  CHECK(second.pictures[0] == "ice_000.png");
+  CHECK(second.picture_advance[0] < 0.2 * s.advance);
+  const std::string pvd = read_text_file(files.folder.file("ice.pvd"));
+  for (const char* step : {"ice_0000", "ice_0001", "ice_0002"}) CHECK(pvd.find(step) != std::string::npos);
+}
+
+TEST_CASE("a run with water, ice against ice and damped edges goes on as if it had not stopped") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  s.water.added_mass = 0.1;
+  s.water.drag = 1.2;
+  s.sheet.absorbing = 0.1;
+  s.numerics.floe_contact = true;
+  REQUIRE(files.interrupted(s, false).status == RunStatus::interrupted);
+  const RunResult second = simulate(world, tiny_hull(), s, files.options);
+  REQUIRE(second.status == RunStatus::ok);
+  const History whole = simulate(world, tiny_hull(), s, {}).history;
+  check_same_record(second.history, whole);
+  CHECK(whole.rows.back().water_loss > 0.0);
+  CHECK(whole.rows.back().edge_loss > 0.0);
+}
+
+TEST_CASE("a checkpoint of another run is refused in words, or passed over where that is asked for") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
+  s.V = 0.75;
+  s.advance = 0.02;
+  CHECK_THROWS_AS(simulate(world, tiny_hull(), s, files.options), RuntimeError);
+  CHECK_THROWS_WITH(simulate(world, tiny_hull(), s, files.options),
+                    Catch::Contains(files.options.checkpoint_file) &&
+                        Catch::Contains("V = 0.5 there, 0.75 here") && Catch::Contains("remove that file"));
+  s.V = 0.5;
+  CHECK_THROWS_WITH(simulate(world, sloping_box(0.46, 0.2, 0.08, 0.15, 1.2), slow(), files.options),
+                    Catch::Contains("hull = "));
+  CHECK(fs::exists(files.options.checkpoint_file));
+  for (Resume resume : {Resume::if_usable, Resume::never}) {
+    files.options.resume = resume;
+    CHECK(simulate(world, tiny_hull(), s, files.options).status == RunStatus::ok);
+  }
+  CHECK(files.resumed_at == -1);
+}
+
+TEST_CASE("a file that is cut short is refused and stays as it is") {
+  const Communicator& world = test_world();
+  Files files(world);
+  const std::string& path = files.options.checkpoint_file;
+  REQUIRE(files.interrupted(slow()).status == RunStatus::interrupted);
+  const auto size = fs::file_size(path);
+  for (std::uintmax_t left : {size - 1000, size / 2, std::uintmax_t(100), std::uintmax_t(0)}) {
+    world.barrier();
+    if (world.is_root()) fs::resize_file(path, left);
+    world.barrier();
+    CHECK_THROWS_WITH(simulate(world, tiny_hull(), slow(), files.options),
+                      Catch::Contains(path) && Catch::Contains("not a whole checkpoint"));
+    CHECK(fs::file_size(path) == left);
+  }
+}
+
+TEST_CASE("lists and texts come back on every rank, empty ones too") {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "parallel_file");
+  const std::string path = folder.file("lists.h5");
+  ParallelFile written = ParallelFile::create(world, path);
+  const bool root = world.is_root();
+  written.write_list("numbers", std::vector<double>{root ? 1.5 : 0.0, root ? -2.0 : 0.0});
+  written.write_list("none", std::vector<std::int64_t>{});
+  written.write_text("text", "sheet");
+  written.write_text("silence", "");
+  written.close();
+  ParallelFile read = ParallelFile::open(world, path);
+  CHECK(read.read_list<double>("numbers") == std::vector<double>{1.5, -2.0});
+  CHECK(read.read_list<std::int64_t>("none").empty());
+  CHECK(read.read_text("text") == "sheet");
+  CHECK(read.read_text("silence").empty());
+  CHECK_THROWS_WITH(read.read_text("other"), Catch::Contains(path));
+}
+
+TEST_CASE("lists and texts are the root's where the ranks' differ in length, and what follows is whole") {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "parallel_file_lengths");
+  const std::string path = folder.file("lengths.h5");
+  const std::size_t rank = world.rank();
+  ParallelFile written = ParallelFile::create(world, path);
+  written.write_list("numbers", std::vector<double>(3 + 1000 * rank, 2.5));
+  written.write_list("roots alone", std::vector<double>(rank == 0 ? 2 : 0, 1.5));
+  written.write_text("text", std::string(20 - rank, 'x'));
+  const Slab own{{1000u * world.size()}, {1000 * rank}, {1000}};
+  const std::vector<std::int64_t> values(1000, rank);
+  written.write("own", own, values.data(), Slab::whole({1000}));
+  written.close();
+  ParallelFile read = ParallelFile::open(world, path);
+  CHECK(read.read_list<double>("numbers") == std::vector<double>(3, 2.5));
+  CHECK(read.read_list<double>("roots alone") == std::vector<double>(2, 1.5));
+  CHECK(read.read_text("text") == std::string(20, 'x'));
+  std::vector<std::int64_t> back(1000, -1);
+  read.read("own", own, back.data(), Slab::whole({1000}));
+  CHECK(back == values);
+}
+
+TEST_CASE("a directory that is not there is named on every rank") {
+  const Communicator& world = test_world();
+  CHECK_THROWS_WITH(ParallelFile::create(world, "/nonexistent/c.h5"), Catch::Contains("/nonexistent/c.h5"));
+  CHECK_THROWS_AS(ParallelFile::open(world, "/nonexistent/c.h5"), RuntimeError);
+}

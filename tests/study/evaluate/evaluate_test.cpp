@@ -1,0 +1,141 @@
+// One design from its document to its files, with the real hull and the real solver on a coarse, short run.
+#include "study/evaluate/evaluate.h"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "study/spec/spec_case.h"
+#include "tests/support/fake_study.h"
+#include "tests/support/main.h"
+
+using namespace icebow;
+
+namespace {
+
+constexpr const char* coarse =
+    R"({"solver": {"layers": 1}, "output": {"pictures": 1}, "ice": {"thickness_m": 1.2},
+  "sheet": {"length_m": 40, "width_m": 50}, "operation": {"speed_kn": 6, "advance_m": 6, "steady_from_m": 2}})";
+
+Design design_of(const std::string& patch) {
+  Design design;
+  design.name = "one";
+  design.document = fake_document(coarse);
+  design.document.merge_patch(Json::parse(patch));
+  design.parameters = {{"/bow/stem_deg", 25.0}};
+  return design;
+}
+
+Evaluation evaluated(const std::string& patch, const EvaluateOptions& options = {}) {
+  return evaluate(test_world(), design_of(patch), options);
+}
+
+bool exists(const std::string& path) {
+  return std::filesystem::exists(path);
+}
+
+}  // namespace
+
+TEST_CASE("a design becomes a result with all its files, the same on every rank") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "designs/one");
+  int calls = 0;
+  options.on_progress = [&](const Progress&) { ++calls; };
+  const Evaluation e = evaluated("{}", options);
+  INFO(e.reason);
+  REQUIRE(e.status == EvaluationStatus::ok);
+  CHECK(json_text(to_json(e)) == test_world().broadcast(json_text(to_json(e))));
+  CHECK(e.key == evaluation_key(read_case(design_of("{}").document, ""), true, true));
+  const Json& r = e.result;
+  CHECK(r.at("metrics").at("full_scale").at("mean_load_N").get<double>() > 0.0);
+  CHECK(r.at("metrics").at("full_scale").at("mean_load_N").get<double>() ==
+        Approx(25.0 * 25.0 * 25.0 * r.at("metrics").at("mean_load_N").get<double>()));
+  CHECK(r.at("lindqvist").at("breaking_N").get<double>() > 0.0);
+  CHECK(r.at("hull").at("feasible") == true);
+  CHECK(r.at("parameters").at("/bow/stem_deg") == 25.0);
+  CHECK(r.at("simulation").at("nz") == 1);
+  CHECK(r.at("simulation").at("lambda") == 25);
+  CHECK(r.at("provenance").at("ranks") == test_world().size());
+  if (test_world().is_root()) {
+    CHECK(read_json_file(options.directory + "/result.json") == r);
+    for (const char* file : {"history", "lines_plan", "hull"}) {
+      CHECK(exists(options.directory + "/" + r.at("files").at(file).get<std::string>()));
+    }
+    REQUIRE(r.at("files").at("pictures").size() == 1);
+    CHECK(exists(options.directory + "/" + r.at("files").at("pictures")[0].at("file").get<std::string>()));
+    std::istringstream history(read_text_file(options.directory + "/history.csv"));
+    std::string header, row;
+    std::getline(history, header);
+    CHECK(header ==
+          "time_s,advance_m,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm,broken_bonds,contacts,kinetic_energy_J,"
+          "potential_J,hull_work_J,contact_loss_J,elastic_J,fracture_J,balance_error_J,water_loss_J,floe_"
+          "loss_J,edge_loss_J");
+    CHECK(std::getline(history, row));
+    CHECK(std::count(row.begin(), row.end(), ',') == 19);
+    CHECK(r.at("simulation").at("ended") == "advance reached");
+    CHECK(r.at("profile").at(0).at("phase") == "drift");
+    CHECK(r.at("profile").at(0).at("share").get<double>() > 0.0);
+  }
+}
+
+TEST_CASE("an impossible bow is infeasible, with margins and without a simulation") {
+  const Evaluation e = evaluated(R"({"bow": {"bow_length_m": 12, "waterline_deg": 12}})");
+  CHECK(e.status == EvaluationStatus::infeasible);
+  CHECK_FALSE(e.reason.empty());
+  CHECK(e.result.at("hull").at("margins").size() >= 1);
+  CHECK(e.result.at("simulation").is_null());
+  CHECK(e.result.at("metrics").is_null());
+}
+
+TEST_CASE("formula alone: no simulation, still a result") {
+  const Evaluation e = evaluated(R"({"evaluators": ["lindqvist"]})");
+  CHECK(e.status == EvaluationStatus::ok);
+  CHECK(e.result.at("simulation").is_null());
+  CHECK(e.result.at("lindqvist").at("valid") == true);
+}
+
+TEST_CASE("what cannot be simulated is a failed design that says why") {
+  const Evaluation narrow = evaluated(R"({"sheet": {"width_m": 10}})");
+  CHECK(narrow.status == EvaluationStatus::failed);
+  CHECK_FALSE(narrow.reason.empty());
+  CHECK(narrow.result.at("metrics").is_null());
+  const Evaluation unreadable = evaluated(R"({"bow": {"stem_deg": "steep"}})");
+  CHECK(unreadable.status == EvaluationStatus::failed);
+  CHECK_THAT(unreadable.reason, Catch::Contains("/bow/stem_deg"));
+}
+
+TEST_CASE("an interrupted design is neither good nor bad, and leaves no result file") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "one");
+  options.stop = [] { return true; };
+  const char* longer =
+      R"({"sheet": {"length_m": 90}, "operation": {"advance_m": 50}})";  // stop is asked now and then
+  CHECK(evaluated(longer, options).status == EvaluationStatus::running);
+  if (test_world().is_root()) CHECK_FALSE(exists(options.directory + "/result.json"));
+}
+
+TEST_CASE("an interrupted design goes on from its checkpoint, another design of that name does not") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "one");
+  int resumed = 0;
+  options.on_resume = [&](std::int64_t) { ++resumed; };
+  const char* longer =
+      R"({"sheet": {"length_m": 90}, "operation": {"advance_m": 50}, "solver": {"time_step_fraction": 0.2}})";
+  for (int turn = 0; turn < 2; ++turn) {
+    options.stop = [seen = 0]() mutable { return ++seen > 1; };  // the first is asked before the simulation
+    REQUIRE(evaluated(longer, options).status == EvaluationStatus::running);
+  }
+  options.stop = nullptr;
+  if (test_world().is_root()) CHECK(resumed == 1);
+  REQUIRE(evaluated("{}", options).status == EvaluationStatus::ok);
+  if (test_world().is_root()) CHECK(resumed == 1);
+  if (test_world().is_root()) CHECK_FALSE(exists(options.directory + "/checkpoint.h5"));
+}
+
+TEST_CASE("a directory that cannot be written is the machine's fault, on every rank") {
+  EvaluateOptions options;
+  options.directory = "/proc/no/such/place";
+  CHECK_THROWS_AS(evaluated("{}", options), RuntimeError);
+}

@@ -1,0 +1,207 @@
+#include "study/store/store.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "base/errors.h"
+#include "tests/support/fake_study.h"
+
+using namespace icebow;
+
+namespace {
+
+Evaluation sample(const std::string& key) {
+  Evaluation e;
+  e.key = key;
+  e.name = "design " + key;
+  e.status = EvaluationStatus::ok;
+  e.parameters = {{"/bow/stem_deg", 0.1 + 0.2}};
+  e.result = {{"design", e.name}, {"x", 1.0 / 3.0}};
+  e.wall_seconds = 1.5;
+  return e;
+}
+
+std::string message_of_open(const std::string& path) {
+  try {
+    Store::open(path);
+  } catch (const RuntimeError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Puts rows for ever, and says so after each.
+[[noreturn]] void write_for_ever(const std::string& path, Journal journal, int acknowledge, int round) {
+  Store store = Store::open(path, journal);
+  for (int i = 0;; ++i) {
+    const std::string key = std::to_string(round) + "." + std::to_string(i) + "\n";
+    store.put(sample(key.substr(0, key.size() - 1)));
+    if (write(acknowledge, key.data(), key.size()) < 0) _exit(1);
+  }
+}
+
+std::string acknowledged_before_kill(const std::string& path, Journal journal, int round) {
+  int ends[2];
+  REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
+  const pid_t child = fork();
+  if (child == 0) write_for_ever(path, journal, ends[1], round);
+  close(ends[1]);
+  std::string text;
+  char buffer[256];
+  ssize_t n = read(ends[0], buffer, sizeof buffer);  // it has begun
+  if (n > 0) text.append(buffer, n);
+  std::this_thread::sleep_for(std::chrono::milliseconds(3 + 7 * round % 23));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  while ((n = read(ends[0], buffer, sizeof buffer)) > 0) text.append(buffer, n);
+  close(ends[0]);
+  return text.substr(0, text.rfind('\n') + 1);
+}
+
+}  // namespace
+
+TEST_CASE("what is put is found, to the last bit") {
+  const TemporaryDirectory directory;
+  const Evaluation put = sample("a");
+  { Store::open(directory / "r.sqlite").put(put); }
+  const Store store = Store::open_read_only(directory / "r.sqlite");
+  const auto found = store.find("a");
+  REQUIRE(found);
+  CHECK(to_json(*found) == to_json(put));
+  CHECK_FALSE(store.find("b"));
+  CHECK(store.find_name("design a")->key == "a");
+}
+
+TEST_CASE("a row is replaced by its key and keeps its place") {
+  const TemporaryDirectory directory;
+  Store store = Store::open(directory / "r.sqlite");
+  for (const char* key : {"c", "a", "b"}) store.put(sample(key));
+  Evaluation failed = sample("a");
+  failed.status = EvaluationStatus::failed;
+  failed.reason = "because";
+  failed.wall_seconds = std::numeric_limits<double>::quiet_NaN();
+  failed.parameters["/nan"] = std::numeric_limits<double>::quiet_NaN();
+  store.put(failed);
+  const auto all = store.all();
+  REQUIRE(all.size() == 3);
+  CHECK(all[1].key == "a");
+  CHECK(all[1].status == EvaluationStatus::failed);
+  CHECK(all[1].reason == "because");
+  CHECK(std::isnan(all[1].wall_seconds));
+  CHECK(std::isnan(all[1].parameters.at("/nan")));
+  store.remove("c");
+  CHECK(store.all().size() == 2);
+}
+
+TEST_CASE("all() is the present study in its order; older rows stay in everything()") {
+  const TemporaryDirectory directory;
+  Store store = Store::open(directory / "r.sqlite");
+  for (const char* key : {"a", "b", "c"}) store.put(sample(key));
+  store.begin_study({"c", "not run yet", "a"});
+  CHECK(store.all().size() == 2);
+  CHECK(store.all()[0].key == "c");
+  CHECK(store.all()[1].key == "a");
+  CHECK(store.everything().size() == 3);
+  store.add_to_study("b");
+  store.add_to_study("b");
+  CHECK(store.all().size() == 3);
+}
+
+TEST_CASE("a store at rest is one file") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  {
+    Store store = Store::open(path);
+    store.put(sample("a"));
+    CHECK(std::filesystem::exists(path + "-wal"));
+  }
+  CHECK_FALSE(std::filesystem::exists(path + "-wal"));
+  CHECK(Store::open_read_only(path).find("a"));
+  CHECK_FALSE(std::filesystem::exists(path + "-wal"));
+  { Store::open(path).put(sample("b")); }
+  CHECK(Store::open_read_only(path).all().size() == 2);
+}
+
+TEST_CASE("facts") {
+  const TemporaryDirectory directory;
+  Store store = Store::open(directory / "r.sqlite");
+  CHECK(store.fact("seed").empty());
+  store.set_fact("seed", "1");
+  store.set_fact("seed", "2");
+  CHECK(store.fact("seed") == "2");
+}
+
+TEST_CASE("a second writer is refused by name of the first, a reader is not") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  for (const Journal journal : {Journal::automatic, Journal::rollback}) {
+    Store writer = Store::open(path, journal);
+    writer.put(sample("a"));
+    CHECK_THAT(message_of_open(path),
+               Catch::Contains("another icebow run") && Catch::Contains(std::to_string(getpid())));
+    const Store reader = Store::open_read_only(path);
+    CHECK(reader.find("a"));
+    writer.put(sample("b"));  // while the reader is open
+    CHECK(reader.find("b"));
+    writer.remove("b");
+  }
+  CHECK(message_of_open(path).empty());  // given back
+}
+
+TEST_CASE("what is not a store is refused and left alone") {
+  const TemporaryDirectory directory;
+  const std::string text = directory / "notes.txt", other = directory / "other.sqlite";
+  write_text_file(text, std::string(2000, 'x'));
+  CHECK_THAT(message_of_open(text), Catch::Contains("notes.txt") && Catch::Contains("not a result store"));
+  CHECK(read_text_file(text) == std::string(2000, 'x'));
+
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open(other.c_str(), &database) == SQLITE_OK);
+  sqlite3_exec(database, "CREATE TABLE mine (x)", nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  const std::string before = read_text_file(other);
+  CHECK_THAT(message_of_open(other), Catch::Contains("not a result store"));
+  CHECK(read_text_file(other) == before);
+
+  CHECK_THROWS_AS(Store::open_read_only(directory / "none.sqlite"), RuntimeError);
+  CHECK_THROWS_AS(Store::open(directory / "no/such/place.sqlite"), RuntimeError);
+}
+
+TEST_CASE("a store of another schema is refused") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  { Store::open(path); }
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open(path.c_str(), &database) == SQLITE_OK);
+  sqlite3_exec(database, "PRAGMA user_version = 99", nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  CHECK_THAT(message_of_open(path), Catch::Contains("schema 99"));
+}
+
+TEST_CASE("a killed writer loses nothing it has acknowledged") {
+  for (const Journal journal : {Journal::automatic, Journal::rollback}) {
+    const TemporaryDirectory directory;
+    const std::string path = directory / "r.sqlite";
+    std::string acknowledged;
+    for (int round = 0; round < 12; ++round) acknowledged += acknowledged_before_kill(path, journal, round);
+    const Store store = Store::open(path, journal);
+    int keys = 0;
+    for (std::size_t at = 0, end; (end = acknowledged.find('\n', at)) != std::string::npos;
+         at = end + 1, ++keys) {
+      const std::string key = acknowledged.substr(at, end - at);
+      const auto found = store.find(key);
+      REQUIRE(found);
+      CHECK(to_json(*found) == to_json(sample(key)));
+    }
+    CHECK(keys >= 12);
+  }
+}
