@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/units.h"
-#include "ice_block.h"
+#include "tests/support/ice_block.h"
 #include "solver/contact/contact.h"
 #include "solver/lattice/stability.h"
 #include "solver/step/stepper.h"
