@@ -11,6 +11,7 @@
 #include "solver/output/vtkhdf.h"
 #include "solver/output/vtp.h"
 #include "solver/run/checkpoint.h"
+#include "solver/run/simulation.h"
 #include "tests/support/tiny_hull.h"
 
 using namespace icebow;

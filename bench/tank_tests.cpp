@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "solver/tank/virtual_tests.h"
 #include "tests/support/held_beam.h"
 
 using namespace icebow;

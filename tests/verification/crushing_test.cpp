@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "base/units.h"
-#include "tests/support/ice_block.h"
 #include "solver/contact/contact.h"
 #include "solver/lattice/stability.h"
 #include "solver/step/stepper.h"
+#include "tests/support/ice_block.h"
 #include "tests/support/tiny_hull.h"
 
 using namespace icebow;

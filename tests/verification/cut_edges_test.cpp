@@ -1,6 +1,7 @@
 // Edges made by a cut: their bonds keep the surface correction of whole ice. See docs/verification.md.
 #include <catch2/catch.hpp>
 
+#include "solver/tank/virtual_tests.h"
 #include "tests/support/held_beam.h"
 
 using namespace icebow;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/errors.h"
+#include "solver/tank/virtual_tests.h"
 #include "tests/support/held_beam.h"
 
 using namespace icebow;

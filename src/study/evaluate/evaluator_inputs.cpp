@@ -1,6 +1,7 @@
 #include "study/evaluate/evaluator_inputs.h"
 
 #include "base/units.h"
+#include "hullgen/bow/family.h"
 
 namespace icebow {
 
