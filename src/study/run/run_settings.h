@@ -1,4 +1,4 @@
-// How a study is run: where, by whom, and with what evaluator.
+// How a study is run: where, by whom, and with what evaluator; and what came of it.
 #pragma once
 
 #include <functional>
@@ -35,6 +35,14 @@ struct RunSettings {
   std::function<bool()> stop;  // asked on the root a few times a second; true = end now, store consistent
   EvaluateFunction evaluate;   // empty = icebow::evaluate (embedded only; a child process has its own)
   MarginsFunction margins;     // empty = those of check_feasibility
+};
+
+struct StudyOutcome {
+  int ok = 0, infeasible = 0, failed = 0;  // designs of the present study, recalled ones included
+  int recalled = 0;                        // of those, how many were taken from the store
+  bool interrupted = false;                // settings.stop said so: the same command goes on from here
+  std::string best;                // name of the best design by the study's rank_by; empty where none is ok
+  std::vector<std::string> notes;  // for the user: duplicates, results kept of an earlier study file ...
 };
 
 }  // namespace icebow

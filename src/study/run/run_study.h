@@ -16,14 +16,6 @@
 
 namespace icebow {
 
-struct StudyOutcome {
-  int ok = 0, infeasible = 0, failed = 0;  // designs of the present study, recalled ones included
-  int recalled = 0;                        // of those, how many were taken from the store
-  bool interrupted = false;                // settings.stop said so: the same command goes on from here
-  std::string best;                // name of the best design by the study's rank_by; empty where none is ok
-  std::vector<std::string> notes;  // for the user: duplicates, results kept of an earlier study file ...
-};
-
 // What happens, as it happens. Called on the root rank only, from the thread of run_study.
 class StudyObserver {
  public:
