@@ -93,11 +93,11 @@ const std::vector<Command>& commands() {
       {"run",
        "STUDY",
        "the whole study: evaluate every design, rank, report",
-       "The same command again goes on where it was interrupted: what DIR holds is not computed twice, "
-       "and of a design\n"
-       "under way the last five minutes at most are. Writes DIR/report.html, ranking.csv and ranking.md at "
-       "the end.\n"
-       "Exits with 3 where some designs failed.",
+       "An interrupted study goes on when the same command is given again. Finished designs in DIR are kept; "
+       "a design that\n"
+       "was under way loses the last five minutes at most. At the end the command writes DIR/report.html, "
+       "ranking.csv and\n"
+       "ranking.md. Exits with 3 where some designs failed.",
        {set,
         {"--out", "DIR", "directory of the study", true},
         {"--jobs", "N", "designs at once; default: as the study says"},

@@ -154,7 +154,7 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
                     listed_names(tied) + "; a longer advance or more repeats narrow them");
   if (!known)
     words.push_back((sentence.empty() ? "resolution bias: not known for this spacing" : sentence) +
-                    "; a finer lattice may change loads and their order by more than the intervals say");
+                    ". On a finer lattice, loads and their order may change by more than the intervals say");
   if (!biased.empty())
     words.push_back("the difference to the best design is smaller than the resolution bias of the lattice: " +
                     listed_names(biased));
