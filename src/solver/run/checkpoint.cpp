@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "base/parallel_file.h"
+#include "solver/model/describe_history.h"
 #include "solver/run/case_text.h"
 #include "solver/run/sheet_file.h"
 
@@ -18,48 +19,41 @@ namespace icebow {
 namespace {
 
 constexpr int format_version = 3;
-constexpr std::size_t row_values = 18, row_counts = 2;  // doubles and integers of a HistoryRow
 
-void save_history(ParallelFile& file, const std::vector<HistoryRow>& rows) {
+// The doubles and the integers of a row, each in a list of its own.
+struct RowWriter {
   std::vector<double> values;
   std::vector<std::int64_t> counts;
-  for (const HistoryRow& r : rows) {
-    values.insert(values.end(), {r.t, r.advance, r.F[0], r.F[1], r.F[2], r.M[0], r.M[1], r.M[2],
-                                 r.kinetic_energy, r.potential, r.hull_work, r.contact_loss, r.elastic,
-                                 r.fracture, r.balance_error, r.water_loss, r.floe_loss, r.edge_loss});
-    counts.insert(counts.end(), {r.broken_bonds, r.contacts});
-  }
-  file.write_list("history", values);
-  file.write_list("history_counts", counts);
+  void column(const char* /*name*/, double value) { values.push_back(value); }
+  void column(const char* /*name*/, std::int64_t count) { counts.push_back(count); }
+  void sometimes(const char* name, double value) { column(name, value); }
+};
+
+struct RowReader {
+  const double* value;
+  const std::int64_t* count;
+  void column(const char* /*name*/, double& into) { into = *value++; }
+  void column(const char* /*name*/, std::int64_t& into) { into = *count++; }
+  void sometimes(const char* name, double& into) { column(name, into); }
+};
+
+void save_history(ParallelFile& file, const std::vector<HistoryRow>& rows) {
+  RowWriter writer;
+  for (const HistoryRow& row : rows) describe(writer, row);
+  file.write_list("history", writer.values);
+  file.write_list("history_counts", writer.counts);
 }
 
 std::vector<HistoryRow> load_history(ParallelFile& file) {
+  RowWriter one;
+  const HistoryRow any;
+  describe(one, any);
   const std::vector<double> values = file.read_list<double>("history");
   const std::vector<std::int64_t> counts = file.read_list<std::int64_t>("history_counts");
-  std::vector<HistoryRow> rows(counts.size() / row_counts);
-  if (values.size() != rows.size() * row_values) throw RuntimeError("its history is not whole");
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const double* v = &values[n * row_values];
-    HistoryRow& r = rows[n];
-    r.t = v[0];
-    r.advance = v[1];
-    for (int c = 0; c < 3; ++c) {
-      r.F[c] = v[2 + c];
-      r.M[c] = v[5 + c];
-    }
-    r.kinetic_energy = v[8];
-    r.potential = v[9];
-    r.hull_work = v[10];
-    r.contact_loss = v[11];
-    r.elastic = v[12];
-    r.fracture = v[13];
-    r.balance_error = v[14];
-    r.water_loss = v[15];
-    r.floe_loss = v[16];
-    r.edge_loss = v[17];
-    r.broken_bonds = counts[n * row_counts];
-    r.contacts = counts[n * row_counts + 1];
-  }
+  std::vector<HistoryRow> rows(counts.size() / one.counts.size());
+  if (values.size() != rows.size() * one.values.size()) throw RuntimeError("its history is not whole");
+  RowReader reader{values.data(), counts.data()};
+  for (HistoryRow& row : rows) describe(reader, row);
   return rows;
 }
 

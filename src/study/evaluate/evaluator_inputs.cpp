@@ -2,33 +2,45 @@
 
 #include "base/units.h"
 #include "hullgen/bow/family.h"
+#include "solver/model/describe_scenario.h"
 
 namespace icebow {
 
+namespace {
+
+// Froude-Cauchy, from full to model scale.
+class ToModelScale {
+ public:
+  explicit ToModelScale(double lambda) : lambda_(lambda) {}
+
+  void field(const char* /*name*/, double& value, double exponent) { scale(value, exponent); }
+  void option(int /*number*/, const char* /*name*/, double& value, double /*usual*/, double exponent) {
+    scale(value, exponent);
+  }
+  void follows(const char* /*name*/, double& value, double exponent) { scale(value, exponent); }
+  // Whole numbers, choices and switches are the same at every scale.
+  template <class T>
+  void field(const char* /*name*/, T& /*value*/, double /*exponent*/) {}
+  template <class T, class U>
+  void option(int /*number*/, const char* /*name*/, T& /*value*/, U /*usual*/, double /*exponent*/) {}
+  template <class T>
+  void ignored(const char* /*name*/, T& /*value*/) {}
+
+ private:
+  void scale(double& value, double exponent) const {
+    if (exponent != 0.0) value = to_model_scale(value, lambda_, exponent);
+  }
+  double lambda_;
+};
+
+}  // namespace
+
 Scenario model_scenario(const Case& full) {
-  const double lambda = full.lambda;
-  const auto model = [&](double value, double exponent) { return to_model_scale(value, lambda, exponent); };
-  Scenario s;
-  s.ice = full.ice;
-  s.ice.h = model(full.ice.h, scaling::length);
-  s.ice.E = model(full.ice.E, scaling::stress);
-  s.ice.K_I = model(full.ice.K_I, scaling::toughness);
-  s.ice.crushing_pressure = model(full.ice.crushing_pressure, scaling::stress);
-  s.water = full.water;
-  s.water.added_mass = model(full.water.added_mass, scaling::length);
-  s.sheet = full.sheet;
-  s.sheet.length = model(full.sheet.length, scaling::length);
-  s.sheet.width = model(full.sheet.width, scaling::length);
-  s.sheet.window_ahead = model(full.sheet.window_ahead, scaling::length);
-  s.sheet.absorbing = model(full.sheet.absorbing, scaling::length);
-  s.numerics = full.numerics;
-  s.numerics.dx = model(full.numerics.dx, scaling::length);
-  s.numerics.dt = model(full.numerics.dt, scaling::time);
-  s.V = model(full.V, scaling::speed);
-  s.advance = model(full.advance, scaling::length);
-  s.steady_from = model(full.steady_from, scaling::length);
-  s.stop_when_ci95_below = full.stop_when_ci95_below;
-  return s;
+  Scenario scenario{full.ice, full.water,   full.sheet,       full.numerics,
+                    full.V,   full.advance, full.steady_from, full.stop_when_ci95_below};
+  ToModelScale to_model(full.lambda);
+  describe(to_model, scenario);
+  return scenario;
 }
 
 LindqvistInputs lindqvist_inputs(const Case& full) {
