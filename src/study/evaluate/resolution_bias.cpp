@@ -37,10 +37,11 @@ double number_in(const Json& entry, const char* key, double lowest, double highe
 
 // Loads of 2 to 4 layers go with the sheet's flexural strength (docs/validation.md, "Seeds, resolution").
 const char* without_limit(GivenStrength strength) {
-  return strength == GivenStrength::toughness ? ". Ice of one toughness gets stronger, and its load higher, "
-                                                "as the lattice gets finer; no limit has been seen. "
-                                                "Compare designs of one number of layers"
-                                              : "";
+  return strength == GivenStrength::toughness
+             ? ". Ice of one toughness gets stronger, and its load higher, as the "
+               "lattice gets finer, so far without a limit. Compare "
+               "designs of one number of layers"
+             : "";
 }
 
 std::string percent(double share) {
