@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "cli/commands.h"
+#include "solver/kernel/kernel.h"
 #include "study/evaluate/provenance.h"
 #include "study/run/evaluate_design_child.h"
 #include "study/run/run_study.h"
@@ -56,6 +57,7 @@ int dispatch(const Communicator& comm, const std::vector<std::string>& words) {
   Arguments arguments = parse_arguments(command, rest);
   arguments.command_line = "icebow";
   for (const std::string& word : words) arguments.command_line += " " + word;
+  kernels();  // a vector width that cannot be had is refused before anything is done
   return command.collective ? command.run(comm, arguments) : run_on_root(command, comm, arguments);
 }
 

@@ -63,7 +63,9 @@ FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& stri
     Vec3 force = Vec3::Zero();
     for (int n = of.begin; n < of.end; ++n) {
       const ContactPairs::Particle other = pairs_.partner(n);
-      force += law_.force(other.position - own.position, other.velocity - own.velocity);
+      const Vec3 away = other.position - own.position;
+      if (away.squaredNorm() >= law_.distance * law_.distance) continue;
+      force += law_.force(away, other.velocity - own.velocity);
     }
     if (force == Vec3::Zero()) continue;
     const Vec3 by_contact = force / model_.mass;

@@ -21,12 +21,12 @@ std::int64_t cut(IceSheet& sheet, Which which) {
         for (std::size_t slot = 0; slot < slots.size(); ++slot) {
           if (!(words[slot] & bit) || !which(i, j, k, slots[slot])) continue;
           words[slot] = static_cast<std::uint16_t>(words[slot] & ~bit);
-          sheet.state(j, k)[i / block] = touched;
           ++gone;
         }
       }
     }
   }
+  sheet.find_cracks();
   return gone;
 }
 

@@ -9,6 +9,7 @@ namespace icebow {
 void IceSheet::drop_first_block(const Communicator& comm) {
   shift_fields(comm);
   shift_bonds(comm);
+  find_cracks();
   hold_far_end_together();
   start_at(lattice.first + block);
 }
@@ -79,9 +80,9 @@ void IceSheet::shift_bonds(const Communicator& comm) {
     for (int k = 0; k < layout.nz; ++k) {
       std::uint8_t* const row = state(jl, k);
       std::memmove(row - 1, row, blocks + 1);
-      row[blocks] = fresh_state(jl);
-      if (partition.west < 0) row[-1] = fresh_state(jl);  // there is no block beyond the end
-      if (partition.east < 0) row[blocks - 1] = fresh_state(jl);
+      row[blocks] = calm;
+      if (partition.west < 0) row[-1] = calm;  // there is no block beyond the end
+      if (partition.east < 0) row[blocks - 1] = calm;
     }
     mend_bonds(jl);
     std::copy_n(column, per_block, &words[(jl + reach) * per_block]);

@@ -8,18 +8,18 @@ namespace {
 constexpr int columns_around = block;
 
 // Block of the sheet and column as one number.
-std::vector<double> touched_blocks(const IceSheet& sheet) {
+std::vector<double> cracked_blocks(const IceSheet& sheet) {
   const Layout& layout = sheet.layout;
   const int all_blocks = sheet.lattice.blocks();
-  std::vector<double> touched_ones;
+  std::vector<double> cracked_ones;
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int b = 0; b < layout.blocks; ++b) {
       bool any = false;
-      for (int k = 0; k < layout.nz; ++k) any |= sheet.state(jl, k)[b] == touched;
-      if (any) touched_ones.push_back(double(layout.j0 + jl) * all_blocks + layout.i0 / block + b);
+      for (int k = 0; k < layout.nz; ++k) any |= (sheet.state(jl, k)[b] & cracked) != 0;
+      if (any) cracked_ones.push_back(double(layout.j0 + jl) * all_blocks + layout.i0 / block + b);
     }
   }
-  return touched_ones;
+  return cracked_ones;
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void near_cracks(const Communicator& comm, const IceSheet& sheet,
   const Layout& layout = sheet.layout;
   const int all_blocks = sheet.lattice.blocks(), b0 = layout.i0 / block;
   std::vector<char> near(std::size_t(layout.columns) * layout.blocks);
-  for (const double number : comm.gather_everywhere(touched_blocks(sheet))) {
+  for (const double number : comm.gather_everywhere(cracked_blocks(sheet))) {
     const int j = int(number) / all_blocks - layout.j0, b = int(number) % all_blocks - b0;
     for (int jl = std::max(0, j - columns_around); jl <= std::min(layout.columns - 1, j + columns_around);
          ++jl) {

@@ -1,7 +1,7 @@
 #include "solver/ice/sheet.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace icebow {
 namespace {
@@ -12,6 +12,14 @@ constexpr int held_columns = reach;
 
 // Bonds of linear blocks stay this far below the critical stretch.
 constexpr double linear_stretch = 0.25;
+
+// Largest dilatation up to which no bond breaks by its stress, where displacements' gradients are `gradient`
+// at most: stretches are sqrt(3) of that.
+double safe_theta(const Material& m, double gradient) {
+  if (!(m.tensile_strength > 0.0)) return 1e30;
+  return (0.99 * m.tensile_strength - m.normal_stress(std::sqrt(3.0) * gradient, 0.0)) /
+         m.normal_stress(0.0, 1.0);
+}
 
 }  // namespace
 
@@ -77,8 +85,6 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
       near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
   if (s.sheet.window_ahead > 0.0) hold_far_end_together();
-  // A bond across the symmetry plane and its image must break together, so both by the same arithmetic.
-  if (at_symmetry_plane()) std::fill_n(state_.begin(), reach * l.nz * (layout.blocks + 2), touched);
 }
 
 std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
@@ -90,16 +96,20 @@ std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
 template <class Real>
 IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
   const BondTableOptions options{s.numerics.surface_correction, s.ice.rho};
-  Work<Real> work{
-      make_bond_law<Real>(material),
-      BondTables<Real>(lattice, layout, stencil, material, options),
-      {},
-      {},
-      {},
-      {},
-      {},
-      LinearTables<Real>(lattice, layout, stencil, material, options),
-      LinearBlocks<Real>(lattice, layout, std::min(s.numerics.linear_below, linear_stretch * material.s0))};
+  const double linear_below = std::min(s.numerics.linear_below, linear_stretch * material.s0);
+  Work<Real> work{make_bond_law<Real>(material),
+                  BondTables<Real>(lattice, layout, stencil, material, options),
+                  Families<Real>(lattice, layout, stencil, material, options),
+                  CrushWatch<Real>(layout),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  LinearTables<Real>(lattice, layout, stencil, material, options),
+                  LinearBlocks<Real>(lattice, layout, linear_below),
+                  std::vector<std::uint8_t>(layout.blocks),
+                  static_cast<Real>(safe_theta(material, linear_below))};
   for (int local = 0; local < layout.blocks * block; ++local) {
     const int i = layout.i0 + local;
     const bool far_end = far_end_held_ && i >= lattice.nx - held_columns;
@@ -120,7 +130,7 @@ std::size_t IceSheet::bytes() const {
 }
 
 template <class Real>
-RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k) {
+RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k, const std::uint8_t* crush) {
   const std::size_t r = layout.row(jl, k);
   const auto at = [r](const Field& f) { return f.data<Real>() + r; };
   return {{at(u[0]), at(u[1]), at(u[2])},
@@ -129,10 +139,10 @@ RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k) {
           at(theta),
           bits.row(jl, k),
           bits.per_block(),
+          layout.blocks,
           state(jl, k),
-          work.linear.skip(jl),
-          partition.west >= 0 ? -1 : 0,
-          layout.blocks + (partition.east >= 0 ? 1 : 0)};
+          work.linear.enabled() ? work.linear.linear(jl) : work.none.data(),
+          crush};
 }
 
 template <class Real>
@@ -145,7 +155,6 @@ void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& setting
                                  {at(v[0]), at(v[1]), at(v[2])},
                                  {at(residual[0]), at(residual[1]), at(residual[2])},
                                  {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
-                                 at(theta),
                                  work.reference_x.data(),
                                  moves ? work.mobile_x.data() : work.nothing_mobile.data(),
                                  static_cast<Real>(lattice.y(layout.j0 + jl)),
@@ -165,17 +174,36 @@ void IceSheet::drift(const DriftSettings& settings, int jl0, int jl1) {
 }
 
 template <class Real>
-void IceSheet::select_column(Work<Real>& work, int jl) {
+void IceSheet::select_column(Work<Real>& work, int jl, const std::uint8_t* crush) {
   work.fields.clear();
   work.row_tables.clear();
   for (int k = 0; k < layout.nz; ++k) {
-    work.fields.push_back(fields(work, jl, k));
-    work.row_tables.push_back(work.tables.row(jl, k));
+    work.fields.push_back(fields(work, jl, k, crush));
+    work.row_tables.push_back(work.families.row(jl, k));
   }
 }
 
-void IceSheet::clear_dilatations() {
-  std::memset(theta.bytes(), 0, theta.element_size() * layout.size);
+void IceSheet::find_cracks() {
+  const auto find = [this](auto& work) {
+    for (int jl = 0; jl < layout.columns; ++jl) {
+      for (int k = 0; k < layout.nz; ++k) {
+        const auto family = work.families.row(jl, k);
+        for (int b = 0; b < layout.blocks; ++b) {
+          const std::uint16_t* const words = bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block();
+          bool all = true;
+          for (int n = 0; n < family.bonds && all; ++n) {
+            const auto& bond = family.bond[n];
+            all = alive(words + bond.word, bits.per_block(), bond.shift) ==
+                  (family.whole[b] ? family.whole[b][n] : 0xffffu);
+          }
+          std::uint8_t& s = state(jl, k)[b];
+          s = static_cast<std::uint8_t>(all ? s & ~cracked : s | cracked);
+        }
+      }
+    }
+    work.crushed.forget();
+  };
+  std::visit(find, work_);
 }
 
 template <class Real>
@@ -190,42 +218,55 @@ LinearFields<Real> IceSheet::linear_fields(int jl) const {
 }
 
 template <class Real>
-typename LinearBlocks<Real>::Ice IceSheet::ice() {
-  return {kernel.passes<Real>(), linear_fields<Real>(0), state(-reach, 0) - 1};
+typename LinearBlocks<Real>::Ice IceSheet::ice(int jl, const std::uint8_t* crush) {
+  return {kernel.passes<Real>(), linear_fields<Real>(0), state(jl, 0), layout.blocks + 2, crush};
 }
 
 template <class Real>
-void IceSheet::linear_pass(const Work<Real>& work, Pass pass, int jl) {
-  if (!work.linear.enabled() || jl < 0 || jl >= layout.columns) return;
-  const LinearPasses<Real>& passes = kernel.passes<Real>().linear[layout.nz - 1];
-  const LinearFields<Real> fields = linear_fields<Real>(jl);
-  for (int b = 0; b < layout.blocks; ++b) {
-    if (!work.linear.is_linear(jl, b)) continue;
-    const bool end = work.linear_tables.is_end(b);
-    const auto run = pass == Pass::theta ? (end ? passes.theta_at_end : passes.theta)
-                                         : (end ? passes.force_at_end : passes.force);
-    run(fields, work.linear_tables.of(jl, b), b);
+Broken IceSheet::dilate_column(Work<Real>& work, int jl) {
+  const Passes<Real>& passes = passes_of(work);
+  if (jl == 0) {
+    work.crushed.start_step();
+    work.linear.start_step();
   }
+  const std::uint8_t* const crush =
+      work.crushed.near(passes, extra_strength.data<Real>() + layout.row(0, 0), jl);
+  if (work.linear.enabled()) work.linear.settle(ice<Real>(jl, crush), jl);
+  select_column(work, jl, crush);
+  const Broken broken = passes.dilatation(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+  if (!work.linear.enabled()) return broken;
+  const LinearPasses<Real>& linear = passes.linear[layout.nz - 1];
+  for (int b = 0; b < layout.blocks; ++b) {
+    if (!work.linear.linear(jl)[b]) continue;
+    const auto run = work.linear_tables.is_end(b) ? linear.theta_at_end : linear.theta;
+    run(linear_fields<Real>(jl), work.linear_tables.of(jl, b), b);
+  }
+  return broken;
 }
 
 template <class Real>
-std::int64_t IceSheet::dilate_column(Work<Real>& work, int jl) {
-  const bool linear = work.linear.enabled();
-  if (linear && jl == first_column()) work.linear.start_step();
-  if (linear) work.linear.settle(ice<Real>(), jl);
-  select_column(work, jl);
-  const int broken = passes_of(work).dilatation(work.fields.data(), work.row_tables.data(), layout.nz,
-                                                work.law, layout.blocks);
-  if (linear) work.linear.keep_calm(ice<Real>(), jl);
-  linear_pass(work, Pass::theta, jl);
-  if (jl >= 0) return lattice.copies() * broken;
-  return at_symmetry_plane() ? broken : 0;
+Broken IceSheet::force_column(Work<Real>& work, int jl) {
+  const Passes<Real>& passes = passes_of(work);
+  select_column(work, jl, work.none.data());
+  Broken broken = passes.force(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+  if (!work.linear.enabled()) return broken;
+  const LinearPasses<Real>& linear = passes.linear[layout.nz - 1];
+  for (int b = 0; b < layout.blocks; ++b) {
+    if (!work.linear.linear(jl)[b]) continue;
+    const auto run = work.linear_tables.is_end(b) ? linear.force_at_end : linear.force;
+    if (run(linear_fields<Real>(jl), work.linear_tables.of(jl, b), b) <= work.safe_theta) continue;
+    const Broken more =
+        passes.look_closer(work.fields.data(), work.row_tables.data(), layout.nz, work.law, b);
+    broken.own += more.own;
+    broken.image += more.image;
+  }
+  return broken;
 }
 
 std::int64_t IceSheet::dilatation(int jl0, int jl1) {
   std::int64_t broken = 0;
   const auto pass = [&](auto& work) {
-    for (int jl = jl0; jl < jl1; ++jl) broken += dilate_column(work, jl);
+    for (int jl = jl0; jl < jl1; ++jl) broken += in_whole_sheet(dilate_column(work, jl));
   };
   std::visit(pass, work_);
   return broken;
@@ -234,19 +275,14 @@ std::int64_t IceSheet::dilatation(int jl0, int jl1) {
 std::int64_t IceSheet::force(int jl0, int jl1) {
   std::int64_t broken = 0;
   const auto pass = [&](auto& work) {
-    for (int jl = jl1 - 1; jl >= jl0; --jl) {
-      select_column(work, jl);
-      const int gone = passes_of(work).force(work.fields.data(), work.row_tables.data(), layout.nz, work.law,
-                                             layout.blocks);
-      broken += jl >= 0 ? lattice.copies() * gone : at_symmetry_plane() ? gone : 0;
-      // Bonds of lower columns still add to those above; a linear block is stored once they are through.
-      linear_pass(work, Pass::force, jl + reach);
-    }
-    if (jl0 != first_column()) return;
-    for (int jl = first_column() + reach - 1; jl >= 0; --jl) linear_pass(work, Pass::force, jl);
+    for (int jl = jl0; jl < jl1; ++jl) broken += in_whole_sheet(force_column(work, jl));
   };
   std::visit(pass, work_);
   return broken;
+}
+
+bool IceSheet::is_linear(int jl, int b) const {
+  return std::visit([&](const auto& work) { return work.linear.linear(jl)[b] != 0; }, work_);
 }
 
 double IceSheet::linear_share() const {

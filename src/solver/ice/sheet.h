@@ -8,6 +8,8 @@
 
 #include "base/communicator.h"
 #include "solver/kernel/bond_tables.h"
+#include "solver/kernel/crush_watch.h"
+#include "solver/kernel/families.h"
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/linear_blocks.h"
 #include "solver/kernel/linear_weights.h"
@@ -64,23 +66,22 @@ class IceSheet {
   Field crushed_depth, touched_face;
   BondBits bits;
 
-  // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. The
-  // drift may take the owned columns in any order; the dilatation takes them upwards, the force downwards,
-  // both from or to first_column(), so that a step can wait for its neighbours as late as possible. The
-  // dilatation of a column looks at displacements up to `ahead` columns further.
-  static constexpr int ahead = 2 * reach;
+  // Passes in the order of a step, each over the columns [jl0, jl1) counted from the first owned one. Drift
+  // and force may take them in any order, the dilatation takes them upwards. Both look at neighbours up to
+  // `reach` columns away: at displacements, and the force at dilatations as well.
   void drift(const DriftSettings& settings, int jl0, int jl1);  // v += dt (bonds + g); u += dt v
   // Breaks bonds; returns how many of this rank's own did, a half model's counted in the whole sheet.
   std::int64_t dilatation(int jl0, int jl1);
   // The bonds' part of the acceleration; returns how many broke by their stress, counted likewise.
   std::int64_t force(int jl0, int jl1);
 
-  void clear_dilatations();  // as the drift does
+  // Which blocks are cracked, by their bonds: after these have been changed from outside the passes.
+  void find_cracks();
 
   // Whole passes.
   void drift(const DriftSettings& settings) { drift(settings, 0, layout.columns); }
-  std::int64_t dilatation() { return dilatation(first_column(), layout.columns); }
-  std::int64_t force() { return force(first_column(), layout.columns); }
+  std::int64_t dilatation() { return dilatation(0, layout.columns); }
+  std::int64_t force() { return force(0, layout.columns); }
 
   // The lowest column whose bonds reach into this rank's part.
   int first_column() const { return partition.south >= 0 || lattice.half ? -reach : 0; }
@@ -102,6 +103,7 @@ class IceSheet {
 
   // Part of the own blocks that took the linear passes in the last step.
   double linear_share() const;
+  bool is_linear(int jl, int b) const;  // likewise
 
   // Found by the drift: blocks with a particle in the box its settings name.
   bool near_hull(int jl, int k, int b) const {
@@ -112,12 +114,11 @@ class IceSheet {
     return !held(layout.i0 + local_i, layout.j0 + jl) && layout.i0 + local_i < lattice.nx;
   }
 
-  // BlockState of the blocks -1 .. blocks of a row; rows jl = -reach .. columns - 1.
+  // BlockLaw and `cracked` of the blocks -1 .. blocks of a row; rows jl = -reach .. columns - 1, of which the
+  // own ones count.
   std::uint8_t* state(int jl, int k) {
     return &state_[(std::size_t(jl + reach) * layout.nz + k) * (layout.blocks + 2) + 1];
   }
-  // Of a block without strain.
-  BlockState fresh_state(int jl) const { return jl < 0 && at_symmetry_plane() ? touched : calm; }
   const std::uint8_t* state(int jl, int k) const { return const_cast<IceSheet*>(this)->state(jl, k); }
 
   // Bonds' constants; Real must be of the sheet's precision.
@@ -134,11 +135,15 @@ class IceSheet {
   struct Work {
     BondLaw<Real> law;
     BondTables<Real> tables;
-    std::vector<RowFields<Real>> fields;      // of the current column, by layer
-    std::vector<RowTables<Real>> row_tables;  // likewise
+    Families<Real> families;
+    CrushWatch<Real> crushed;
+    std::vector<RowFields<Real>> fields;         // of the current column, by layer
+    std::vector<FamilyTables<Real>> row_tables;  // likewise
     std::vector<Real> reference_x, mobile_x, nothing_mobile;
     LinearTables<Real> linear_tables;
     LinearBlocks<Real> linear;
+    std::vector<std::uint8_t> none;  // [block]: 0
+    Real safe_theta;                 // up to which no bond of a linear block is near its stress
   };
   template <class Real>
   Work<Real> make_work(const Scenario& scenario, const Material& material) const;
@@ -146,18 +151,20 @@ class IceSheet {
   template <class Real>
   void drift_column(const Work<Real>& work, const DriftSettings& settings, int jl);
   template <class Real>
-  void select_column(Work<Real>& work, int jl);
+  void select_column(Work<Real>& work, int jl, const std::uint8_t* crush);
   template <class Real>
-  RowFields<Real> fields(const Work<Real>& work, int jl, int k);
+  RowFields<Real> fields(const Work<Real>& work, int jl, int k, const std::uint8_t* crush);
   template <class Real>
   LinearFields<Real> linear_fields(int jl) const;
   template <class Real>
-  typename LinearBlocks<Real>::Ice ice();
+  typename LinearBlocks<Real>::Ice ice(int jl, const std::uint8_t* crush);
   template <class Real>
-  std::int64_t dilate_column(Work<Real>& work, int jl);
-  enum class Pass { theta, force };
+  Broken dilate_column(Work<Real>& work, int jl);
   template <class Real>
-  void linear_pass(const Work<Real>& work, Pass pass, int jl);
+  Broken force_column(Work<Real>& work, int jl);
+  std::int64_t in_whole_sheet(const Broken& broken) const {
+    return lattice.copies() * broken.own + broken.image;
+  }
   void shift_fields(const Communicator& comm);
   void hold_far_end_together();
   void shift_bonds(const Communicator& comm);

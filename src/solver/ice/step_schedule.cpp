@@ -25,7 +25,6 @@ void StepSchedule::refresh() {
 }
 
 std::int64_t StepSchedule::look_again() {
-  sheet_.clear_dilatations();
   displacements_.start();
   displacements_.send(Halo::south);
   displacements_.send(Halo::north);
@@ -62,14 +61,12 @@ std::int64_t StepSchedule::dilate() {
   const int chunks = displacements_.chunks();
   int arrived = 0;  // chunks, and the north edge after the last
   for (int c = 0; c < chunks; ++c) {
-    // A chunk has at least `reach` columns: two of them are as far as a column's dilatation looks ahead.
-    static_assert(IceSheet::ahead <= 2 * reach);
-    for (; arrived <= std::min(c + 2, chunks); ++arrived)
+    // A chunk has at least `reach` columns, as far as a column looks.
+    for (; arrived <= std::min(c + 1, chunks); ++arrived)
       displacements_.wait(arrived == chunks ? Halo::north : Halo::chunk(arrived));
     timer_.lap(Phase::halo_u);
     if (c == 0) mirror_displacements(sheet_);
-    const int begin = c == 0 ? sheet_.first_column() : displacements_.chunk_begin(c);
-    broken += sheet_.dilatation(begin, displacements_.chunk_end(c));
+    broken += sheet_.dilatation(displacements_.chunk_begin(c), displacements_.chunk_end(c));
     timer_.lap(Phase::dilatation);
     if (c == 0) dilatations_.send(Halo::south);
     dilatations_.send(Halo::chunk(c));
@@ -82,17 +79,14 @@ std::int64_t StepSchedule::dilate() {
 std::int64_t StepSchedule::accelerate() {
   std::int64_t broken = 0;
   dilatations_.wait(Halo::north);
+  dilatations_.wait(Halo::chunk(dilatations_.chunks() - 1));
   for (int c = dilatations_.chunks() - 1; c >= 0; --c) {
-    dilatations_.wait(Halo::chunk(c));
+    dilatations_.wait(c > 0 ? Halo::chunk(c - 1) : Halo::south);
+    if (c == 0) mirror_dilatations(sheet_);
     timer_.lap(Phase::halo_theta);
     broken += sheet_.force(dilatations_.chunk_begin(c), dilatations_.chunk_end(c));
     timer_.lap(Phase::force);
   }
-  dilatations_.wait(Halo::south);
-  mirror_dilatations(sheet_);
-  timer_.lap(Phase::halo_theta);
-  if (sheet_.first_column() < 0) broken += sheet_.force(sheet_.first_column(), 0);
-  timer_.lap(Phase::force);
   return broken;
 }
 

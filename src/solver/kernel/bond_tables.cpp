@@ -20,28 +20,14 @@ std::vector<Real> make_table(BondWeights& weights, const Lattice& lattice, const
       at(xi_x) = xi(o.di);
       at(xi_y) = xi(o.dj);
       at(xi_z) = xi(o.dk);
-      at(xi2_x) = 2 * at(xi_x);
-      at(xi2_y) = 2 * at(xi_y);
-      at(xi2_z) = 2 * at(xi_z);
       at(inverse_L2) = static_cast<Real>(1.0 / L2);
       const BondWeight w = weights(i + p, j, k, o);
       at(dilatation_weight) = static_cast<Real>(w.dilatation);
       at(pressure_weight) = static_cast<Real>(w.pressure);
       at(distortion_weight) = static_cast<Real>(w.distortion);
-      at(calm_dilatation) = static_cast<Real>(0.5 * w.dilatation / L2);  // G(0) = H(0) = 1/2
-      at(calm_distortion) = static_cast<Real>(0.5 * w.distortion / L2);
     }
   }
   return table;
-}
-
-// The least that a calm bond adds to theta, over its e: surface factors are at least about 1.
-template <class Real>
-Real theta_per_strain(const Lattice& lattice, const Stencil& stencil, const Material& m) {
-  double smallest = 1.0;
-  for (const Offset& o : stencil.family[0]) smallest = std::min(smallest, o.volume_factor);
-  const double weight = m.d * m.delta * lattice.particle_volume() * smallest;
-  return static_cast<Real>(0.5 * weight);
 }
 
 }  // namespace
@@ -49,11 +35,7 @@ Real theta_per_strain(const Lattice& lattice, const Stencil& stencil, const Mate
 template <class Real>
 BondTables<Real>::BondTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
                              const Material& material, const BondTableOptions& options)
-    : ny_(lattice.ny),
-      mirrored_columns_(lattice.mirrored_columns()),
-      j0_(layout.j0),
-      theta_per_strain_(theta_per_strain<Real>(lattice, stencil, material)),
-      neighbour_(lattice.nz) {
+    : ny_(lattice.ny), mirrored_columns_(lattice.mirrored_columns()), j0_(layout.j0), neighbour_(lattice.nz) {
   for (int k = 0; k < lattice.nz; ++k) {
     for (const Offset& o : stencil.half[k]) {
       neighbour_[k].push_back((std::ptrdiff_t(o.dj) * layout.nz + o.dk) * layout.stride + o.di);
@@ -96,7 +78,7 @@ template <class Real>
 RowTables<Real> BondTables<Real>::row(int jl, int k) const {
   const Tables& t = tables_.at(row_class(jl, k));
   return {static_cast<int>(neighbour_[k].size()), neighbour_[k].data(), t.interior.data(),
-          t.end_of.data() + 1, theta_per_strain_};
+          t.end_of.data() + 1};
 }
 
 template class BondTables<float>;

@@ -32,7 +32,6 @@ class BondTables {
   RowClass row_class(int jl, int k) const;
 
   int ny_, mirrored_columns_, j0_;
-  Real theta_per_strain_;
   std::vector<std::vector<std::ptrdiff_t>> neighbour_;  // [k][slot]
   std::map<RowClass, Tables> tables_;
 };

@@ -3,7 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
+#include "base/errors.h"
 #include "base/units.h"
 
 namespace icebow {
@@ -17,15 +20,49 @@ const Kernels& baseline_kernels() {
   return kernels_baseline;
 }
 
-const Kernels& kernels() {
+namespace {
+
+// Those compiled in, the widest first; null where this processor lacks the instructions.
+struct Choice {
+  const char* name;
+  const Kernels* kernels;
+};
+
+std::vector<Choice> choices() {
+  std::vector<Choice> all;
 #ifdef ICEBOW_X86_KERNELS
-  static const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  static const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (avx512) return kernels_avx512;
-  if (avx2) return kernels_avx2;
+  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  all.push_back({"avx512", avx512 ? &kernels_avx512 : nullptr});
+  all.push_back({"avx2", avx2 ? &kernels_avx2 : nullptr});
 #endif
-  return kernels_baseline;
+  all.push_back({"baseline", &kernels_baseline});
+  return all;
+}
+
+}  // namespace
+
+const Kernels& kernels_named(const std::string& name) {
+  std::string allowed;
+  bool known = name.empty();
+  for (const Choice& choice : choices()) {
+    known |= name == choice.name;
+    if (!choice.kernels) continue;
+    if (name.empty() || name == choice.name) return *choice.kernels;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(choice.name);
+  }
+  throw InputError("ICEBOW_KERNEL=" + name + ": " +
+                   (known ? "this processor lacks its instructions" : "no such vector width") +
+                   "; allowed here: " + allowed + ", or leave it unset for the widest");
+}
+
+const Kernels& kernels() {
+  static const Kernels& chosen = [&]() -> const Kernels& {
+    const char* const name = std::getenv("ICEBOW_KERNEL");
+    return kernels_named(name ? name : "");
+  }();
+  return chosen;
 }
 
 namespace {
@@ -61,9 +98,9 @@ template <class Real, int degree>
 LawFits<Real, degree> fits(double lower, double upper) {
   LawFits<Real, degree> law;
   const auto root = [](long double e) { return std::sqrt(1.0L + e); };
-  fit([&](long double e) { return 1.0L / (1.0L + root(e)); }, lower, upper, law.G);
+  fit([&](long double e) { return 2.0L / (1.0L + root(e)); }, lower, upper, law.G);
   fit([&](long double e) { return 1.0L / root(e); }, lower, upper, law.R);
-  fit([&](long double e) { return 1.0L / (root(e) * (1.0L + root(e))); }, lower, upper, law.H);
+  fit([&](long double e) { return 2.0L / (root(e) * (1.0L + root(e))); }, lower, upper, law.H);
   return law;
 }
 
@@ -93,29 +130,25 @@ LawFits<Real, degree> calm_series() {
 template <class Real>
 BondLaw<Real> make_bond_law(const Material& m) {
   using Degrees = LawDegrees<Real>;
-  constexpr double shortest = -0.19;       // 10 % shorter
-  constexpr double widest_small = 0.0125;  // where the short fits are still as good as the wide ones
-  constexpr double longest = 0.05;         // bonds that contact holds together may stretch further than s0
+  constexpr double shortest = -0.19;  // 10 % shorter
+  constexpr double longest = 0.05;    // bonds that contact holds together may stretch further than s0
   BondLaw<Real> law;
   const double e_break = m.s0 * (2.0 + m.s0);
-  double e_safe = e_break;
   law.stress_per_stretch = law.stress_per_theta = 0;
   law.e_break = static_cast<Real>(e_break);
   if (m.tensile_strength > 0.0) {
     law.stress_per_stretch = static_cast<Real>(m.normal_stress(1.0, 0.0) / m.tensile_strength);
     law.stress_per_theta = static_cast<Real>(m.normal_stress(0.0, 0.5) / m.tensile_strength);
     law.e_break = static_cast<Real>(never);
-    // A dilatation is at most three times the largest stretch.
-    e_safe = 2.0 * m.tensile_strength / m.normal_stress(1.0, 3.0);
   }
-  const double e_small = std::min(e_safe, widest_small), e_max = std::max(e_break, longest);
+  const double e_max = std::max(e_break, longest);
   law.wide = fits<Real, Degrees::wide>(shortest, e_max);
-  law.small = fits<Real, Degrees::small>(-e_small, e_small);
+  law.small = fits<Real, Degrees::small>(-bent_strain, bent_strain);
   law.e_min = static_cast<Real>(shortest);
   law.e_max = static_cast<Real>(e_max);
-  law.e_small = static_cast<Real>(e_small);
+  law.e_small = static_cast<Real>(bent_strain);
   law.calm = calm_series<Real, Degrees::calm>();
-  law.e_calm = static_cast<Real>(std::min(calm_strain, 0.5 * e_small));
+  law.e_calm = static_cast<Real>(calm_strain);
   return law;
 }
 

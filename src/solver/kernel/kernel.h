@@ -1,31 +1,40 @@
 // The bond passes and the time integration over rows of the lattice, in SIMD.
 //
 // One source (kernel_impl.h) is compiled for several vector widths and for fp32 and fp64; kernels() picks the
-// widest this processor has. Each bond is computed once, by the row of its lower end, which adds the reaction
-// to the neighbour's row. Within a column, blocks go from low to high x and layers upwards, the copies of
-// neighbouring ranks' blocks included; columns are taken in the order the caller asks for, the same on any
-// number of ranks. So every sum has the same terms in the same order on any number of ranks.
+// widest this processor has. A particle's whole family is summed in registers and stored: nothing is added to
+// neighbours, so each block of 16 particles is on its own, and its sums have the same terms in the same order
+// on any number of ranks. Both ends of a bond do the same arithmetic on the same operands, but for signs:
+// they find the same force, and break the bond in the same step, wherever they are owned.
 //
 // Law of a bond (docs/theory.md, eq. 10-12), with q = 2 xi.eta + eta.eta and e = q / L^2:
 //   stretch s = sqrt(1 + e) - 1 = e G(e),  1/|y| = R(e) / L,  s/|y| = e H(e) / L
-// G, R, H are polynomials fitted when the run starts (no root, no division, no cancellation). What a block
-// of 16 particles needs depends on its state:
-//   calm     all bonds there, |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone
-//            (relative error of a force below 0.75 e_calm), in fp64 three terms (below 1e-9)
-//   intact   all bonds there, |e| <= e_small: fits of a low degree, no bond bits
-//   touched  some bond broken or stretched further: bond bits, fits on [e_min, e_max]; beyond (a
-//            shortening of 10 %) they stay at their value there. Where bonds break by stress, back to
-//            intact once they have slackened and all are there
+// G, R, H are polynomials fitted when the run starts (no root, no division, no cancellation). Which ones a
+// block of a row takes follows from the largest |e| of its bonds:
+//   calm    |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone (relative error of a
+//           force below 0.75 e_calm), in fp64 three terms (below 1e-9)
+//   bent    |e| <= e_small: fits of a low degree
+//   wide    fits on [e_min, e_max]; beyond (a shortening of 10 %) they stay at their value there
+// A block is cracked where a bond of one of its particles is broken: only then, and near the ends of the
+// sheet, bond bits are looked at. Whether a bond breaks is asked once for a block, by the largest e or stress
+// of all its bonds; only where that is beyond the limit, bonds are looked at one by one, and the block is
+// summed again.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
+#include "solver/kernel/water_columns.h"
 #include "solver/lattice/stencil.h"
 
 namespace icebow {
 
-enum BlockState : std::uint8_t { calm, intact, touched };
+// Of a block of a row: which law it follows, and whether it is cracked.
+enum BlockLaw : std::uint8_t { calm, bent, wide };
+constexpr std::uint8_t law_bits = 3, cracked = 4;
+inline BlockLaw law_of(std::uint8_t state) {
+  return static_cast<BlockLaw>(state & law_bits);
+}
 
 template <class Real>
 struct LawDegrees;
@@ -37,7 +46,8 @@ template <>
 struct LawDegrees<double> {
   static constexpr int calm = 2, small = 4, wide = 12;
 };
-constexpr double calm_strain = 1e-3;  // e of a calm block at most
+constexpr double calm_strain = 1e-3;    // |e| of a calm block at most
+constexpr double bent_strain = 0.0125;  // where the short fits are still as good as the wide ones
 
 // Coefficients of e^0, e^1, ...
 template <class Real, int degree>
@@ -45,11 +55,12 @@ struct LawFits {
   Real G[degree + 1], R[degree + 1], H[degree + 1];
 };
 
+// G and H over their value 1/2 at e = 0, which is in the weights.
 template <class Real>
 struct BondLaw {
   LawFits<Real, LawDegrees<Real>::wide> wide;    // on [e_min, e_max]
-  LawFits<Real, LawDegrees<Real>::small> small;  // on [-e_small, e_small], where no bond can break
-  LawFits<Real, LawDegrees<Real>::calm> calm;    // series at 0, divided by their first terms
+  LawFits<Real, LawDegrees<Real>::small> small;  // on [-e_small, e_small]
+  LawFits<Real, LawDegrees<Real>::calm> calm;    // series at 0
   Real e_calm;
   Real e_small;
   Real e_min, e_max;  // ends of the fits
@@ -64,48 +75,79 @@ struct BondLaw {
 template <class Real>
 BondLaw<Real> make_bond_law(const Material& material);
 
-// Constants of a slot:
+// Constants of a bond's slot:
 //   theta += dilatation * s; acceleration += (pressure (theta_k + theta_j) + distortion s) y/|y|
 // with 1/L taken out of y/|y|. The weights hold volume and surface corrections, the bond constants and the
-// density; they are 0 where the sheet ends before the bond does. In the order of use by calm blocks.
+// density; they are 0 where the sheet ends before the bond does.
 enum SlotConstant {
-  xi2_x,  //!< twice the reference bond [m]
-  xi2_y,
-  xi2_z,
-  calm_dilatation,  // dilatation G(0) / L^2
-  xi_x,             //!< reference bond [m]
+  xi_x,  //!< reference bond [m]
   xi_y,
   xi_z,
-  pressure_weight,
-  calm_distortion,  // distortion H(0) / L^2
-  inverse_L2,       //!< 1/L^2 [1/m^2]
+  inverse_L2,  //!< 1/L^2 [1/m^2]
   dilatation_weight,
+  pressure_weight,
   distortion_weight,
   constants_per_slot
 };
 
-// A row's view of its tables. Interior blocks share one; a block near the ends of the sheet has constants for
-// each of its particles.
+// A row's view of the tables of its bonds to higher ends, each bond once. Interior blocks share one; a block
+// near the ends of the sheet has constants for each of its particles.
 template <class Real>
 struct RowTables {
   int n_slots;
   const std::ptrdiff_t* neighbour;  // [slot]: elements from a particle to its neighbour
   const Real* interior;             // [slot][constant]
   const Real* const* ends;          // [block]: [slot][constant][16], or nullptr where the block is interior
-  Real theta_per_strain;            // the least a bond adds to theta, over e
 };
+
+// A bond of a particle's whole family, the same for a row's particles.
+template <class Real>
+struct FamilyBond {
+  std::ptrdiff_t neighbour;  // elements from a particle to the other end
+  std::ptrdiff_t word;       // from the block's words to those of the bond's lower ends in the same block
+  int shift;        // of the words before, of and after that block, taken as one number: own bits come last
+  bool own, image;  // the lower end is in a column of this rank's, or the mirror image of one
+  Real xi[3], inverse_L2;
+};
+
+// Weights of a bond, those of G and H halved (BondLaw), in the order of use.
+constexpr int family_weights = 3;
+enum FamilyWeight { half_dilatation, pressure, half_distortion };
+
+// A row's families: all bonds that end in the sheet.
+template <class Real>
+struct FamilyTables {
+  int bonds;
+  const FamilyBond<Real>* bond;
+  const Real* interior;               // [bond][weight]
+  const Real* const* ends;            // [block]: [bond][weight][16], or nullptr where the block is interior
+  const std::uint16_t* const* whole;  // [block]: [bond]: bonds that are in the sheet, likewise
+};
+
+// Alive bonds of a block's 16 particles, by the words of their lower ends in the block and those beside it.
+inline unsigned alive(const std::uint16_t* words, int per_block, int shift) {
+  const std::uint64_t all =
+      words[-per_block] | std::uint64_t(words[0]) << 16 | std::uint64_t(words[per_block]) << 32;
+  return static_cast<unsigned>(all >> shift) & 0xffffu;
+}
 
 template <class Real>
 struct RowFields {
-  const Real* u[3];             // displacement [m], at the row's first owned particle
-  const Real* extra_strength;   // of each particle: IceSheet::extra_strength
-  Real* acceleration[3];        // from bonds [m/s^2]
-  Real* theta;                  // dilatation
-  std::uint16_t* bits;          // [block][column slot]: alive bonds of 16 particles
-  int bits_per_block;           // column slots
-  std::uint8_t* state;          // [block]: BlockState
-  const std::uint8_t* skip;     // [block]: 1 where the linear passes do all that matters
-  int first_block, last_block;  // blocks [first_block, last_block), -1 and `blocks` being ghosts
+  const Real* u[3];            // displacement [m], at the row's first owned particle
+  const Real* extra_strength;  // of each particle: IceSheet::extra_strength
+  Real* acceleration[3];       // out, from bonds [m/s^2]
+  Real* theta;                 // out, dilatation
+  std::uint16_t* bits;         // [block][column slot]: alive bonds of 16 particles
+  int bits_per_block;          // column slots
+  int blocks;                  // owned ones
+  std::uint8_t* state;         // [block]: BlockLaw and `cracked`
+  const std::uint8_t* linear;  // [block]: 1 where the linear passes do it all
+  const std::uint8_t* crush;   // [block]: 1 where a particle within reach has been crushed in this step
+};
+
+// Bonds that broke: of own lower ends, and of lower ends that are mirror images of own particles.
+struct Broken {
+  int own = 0, image = 0;
 };
 
 // Weight, buoyancy and box test of the drift.
@@ -121,13 +163,12 @@ template <class Real>
 struct DriftRow {
   Real* u[3];
   Real* v[3];
-  Real* residual[3];        // of the compensated sum of u
-  Real* acceleration[3];    // from bonds; used up: zero afterwards
-  Real* theta;              // zero afterwards, for the next dilatation pass
-  const Real* x;            // reference x of each particle [m]
-  const Real* mobile;       // 1, or 0 for particles that are held or do not exist
-  Real y, z;                // reference y, z of the row [m]
-  std::uint8_t* near_hull;  // out, per block: some particle lies in the box
+  Real* residual[3];            // of the compensated sum of u
+  const Real* acceleration[3];  // from bonds
+  const Real* x;                // reference x of each particle [m]
+  const Real* mobile;           // 1, or 0 for particles that are held or do not exist
+  Real y, z;                    // reference y, z of the row [m]
+  std::uint8_t* near_hull;      // out, per block: some particle lies in the box
   int blocks;
 };
 
@@ -143,12 +184,14 @@ struct LinearFields {
 template <class Real>
 struct LinearWeights;
 
-// Of block b of all layers. Unlike the passes over bonds these sum the whole family of each particle, and
-// store.
+// Of block b of all layers.
 template <class Real>
 struct LinearPasses {
   using Pass = void (*)(const LinearFields<Real>&, const LinearWeights<Real>&, int b);
-  Pass theta, theta_at_end, force, force_at_end;  // the latter with constants for each particle
+  // Returns the largest theta of the particles and their neighbours.
+  using ForcePass = Real (*)(const LinearFields<Real>&, const LinearWeights<Real>&, int b);
+  Pass theta, theta_at_end;  // the latter with constants for each particle
+  ForcePass force, force_at_end;
 };
 constexpr int most_linear_layers = 5;
 
@@ -160,16 +203,25 @@ struct Roughness {
 
 template <class Real>
 struct Passes {
-  // For the nz rows of a column. Adds their bonds to theta of both ends; breaks bonds first and returns how
-  // many of owned blocks' broke. Follows the blocks' states.
-  int (*dilatation)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&,
-                    int owned_blocks);
-  // Adds their bonds to the acceleration of both ends; breaks those whose stress is too high and returns how
-  // many of owned blocks' did.
-  int (*force)(const RowFields<Real>*, const RowTables<Real>*, int nz, const BondLaw<Real>&,
-               int owned_blocks);
+  // For the nz rows of a column: theta of all blocks that are not linear. Breaks bonds by their stretch, and
+  // follows the blocks' states.
+  Broken (*dilatation)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&);
+  // Their acceleration. Breaks bonds by their stress.
+  Broken (*force)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&);
+  // Of a column's block that has taken the linear passes, and in which bonds may be near their stress: breaks
+  // those, and then does the block anew.
+  Broken (*look_closer)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&,
+                        int b);
+  // Bits of the numbers below 0, 16 numbers a word.
+  void (*negative)(const Real* numbers, int words, std::uint16_t* bits);
   // v += dt * (bonds + weight and lift); u += dt v.
   void (*drift)(const DriftRow<Real>&, const DriftSettings&);
+  // Of the columns of a block, of which `mobile` has a bit each: what the water does to them. Strikes may be
+  // none.
+  void (*water_columns)(const WaterFields<Real>&, const WaterLaw&, unsigned mobile,
+                        const WaterStrikes* strikes, WaterColumns& out);
+  // Adds it to their accelerations; returns the energy that the water takes [J].
+  double (*water_push)(const WaterFields<Real>&, const WaterLaw&, const WaterColumns&);
   LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]
   // Of block b and a bond's reach beyond it; has_next is 1 where a particle and the next along x exist, else
   // 0.
@@ -192,7 +244,10 @@ struct Kernels {
   }
 };
 
-const Kernels& kernels();           // the widest this processor runs
-const Kernels& baseline_kernels();  // for tests
+// The widest this processor runs, or what the environment variable ICEBOW_KERNEL names. Throws InputError
+// where that is not known, or not for this processor.
+const Kernels& kernels();
+const Kernels& kernels_named(const std::string& name);  // empty = the widest
+const Kernels& baseline_kernels();                      // for tests
 
 }  // namespace icebow

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#if ICEBOW_VECTOR_BYTES > 16
+#include <immintrin.h>
+#endif
 
 #include "solver/lattice/lattice.h"
 
@@ -30,6 +33,18 @@ struct Simd {
   static V max(V a, V b) { return a > b ? a : b; }
   static V min(V a, V b) { return a < b ? a : b; }
   static V keep(V v, Mask mask) { return (V)((Mask)v & mask); }
+  // v where the lane's bit is set, else 0.
+  static V keep_lanes(V v, unsigned word) {
+#if ICEBOW_VECTOR_BYTES == 64
+    if constexpr (sizeof(Real) == 4) {
+      return (V)_mm512_maskz_mov_ps(static_cast<__mmask16>(word), (__m512)v);
+    } else {
+      return (V)_mm512_maskz_mov_pd(static_cast<__mmask8>(word), (__m512d)v);
+    }
+#else
+    return keep(v, expand(word, lane_bits()));
+#endif
+  }
 
   static Mask lane_bits() {
     Mask bits;
@@ -37,7 +52,9 @@ struct Simd {
     return bits;
   }
   // Lane l of the mask is all ones where bit l of the word is set.
-  static Mask expand(unsigned word, Mask bits) { return ((static_cast<Int>(word) - Mask{}) & bits) != 0; }
+  static Mask expand(unsigned word, Mask bits) {
+    return ((static_cast<Int>(word) - Mask{}) & bits) != 0;
+  }
   static unsigned compress(Mask mask, Mask bits) {
     const Mask set = mask & bits;
     unsigned word = 0;
@@ -45,10 +62,20 @@ struct Simd {
     return word;
   }
   static bool any(Mask mask) {
+#if ICEBOW_VECTOR_BYTES == 64
+    if constexpr (sizeof(Real) == 4) {
+      return _mm512_movepi32_mask((__m512i)mask) != 0;
+    } else {
+      return _mm512_movepi64_mask((__m512i)mask) != 0;
+    }
+#elif ICEBOW_VECTOR_BYTES == 32
+    return _mm256_movemask_epi8((__m256i)mask) != 0;
+#else
     std::uint64_t part[sizeof(Mask) / 8], all = 0;
     std::memcpy(part, &mask, sizeof mask);
     for (std::uint64_t p : part) all |= p;
     return all != 0;
+#endif
   }
 
   // A fit with its coefficients repeated for all lanes.

@@ -149,6 +149,7 @@ void linear_theta(const LinearFields<Real>& f, const LinearWeights<Real>& weight
 template <class Real, int nz>
 struct Forces {
   typename Simd<Real>::V x[nz] = {}, y[nz] = {}, z[nz] = {};
+  typename Simd<Real>::V theta = {};  // the largest seen
 };
 
 template <class Real, int distance>
@@ -166,6 +167,7 @@ ICEBOW_INLINE void force_of_group(const Nearby<Real>& w, const LinearGroup<Real>
     for_layers<nz>([&](auto m) __attribute__((always_inline)) {
       const std::ptrdiff_t at = x + m() * w.layer() + column.offset;
       const V in_plane = column.di * w(0, at) + column.dj * w(1, at), up = w(2, at), theta = w.theta(at);
+      f.theta = Simd<Real>::max(f.theta, theta);
       for_layers<nz>([&](auto l) __attribute__((always_inline)) {
         if constexpr (bonded(l(), m(), dk)) {
           const V distortion = weights.take(), pressure = weights.take();
@@ -194,6 +196,7 @@ ICEBOW_INLINE void force_of_mirrored(const Nearby<Real>& w, const LinearGroup<Re
       const V x_right = w(0, right), x_left = w(0, left), y_right = w(1, right), y_left = w(1, left),
               z_right = w(2, right), z_left = w(2, left), theta_right = w.theta(right),
               theta_left = w.theta(left);
+      f.theta = Simd<Real>::max(f.theta, Simd<Real>::max(theta_right, theta_left));
       const V in_plane = column.di * (x_right - x_left) + column.dj * (y_right + y_left),
               up = z_right + z_left, theta = theta_right + theta_left;
       const V in_plane_odd = column.di * (x_right + x_left) + column.dj * (y_right - y_left),
@@ -215,10 +218,11 @@ ICEBOW_INLINE void force_of_mirrored(const Nearby<Real>& w, const LinearGroup<Re
 }
 
 template <class Real, int nz, bool per_lane>
-void linear_force(const LinearFields<Real>& fields, const LinearWeights<Real>& weights, int b) {
+Real linear_force(const LinearFields<Real>& fields, const LinearWeights<Real>& weights, int b) {
   using S = Simd<Real>;
   using V = typename S::V;
   const Nearby<Real> w(fields, nz, b);
+  V largest = {};
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     Stream<Real, per_lane> stream{weights.force.data() + (per_lane ? lane0 : 0)},
@@ -241,7 +245,11 @@ void linear_force(const LinearFields<Real>& fields, const LinearWeights<Real>& w
       S::store(fields.acceleration[1] + at, f.y[l] - (xy * u0 + yy * u1 + yz * u2) + p1 * theta);
       S::store(fields.acceleration[2] + at, f.z[l] - (xz * u0 + yz * u1 + zz * u2) + p2 * theta);
     }
+    largest = S::max(largest, f.theta);
   }
+  Real theta = 0;
+  for (int l = 0; l < S::lanes; ++l) theta = std::max<Real>(theta, largest[l]);
+  return theta;
 }
 
 // Largest sums of squared displacement differences between nearest neighbours, of all lanes within a bond's

@@ -18,7 +18,7 @@
 namespace icebow {
 namespace {
 
-constexpr int format_version = 3;
+constexpr int format_version = 4;
 
 // The doubles and the integers of a row, each in a list of its own.
 struct RowWriter {

@@ -111,6 +111,7 @@ void load_sheet(ParallelFile& file, IceSheet& sheet) {
   for_each_field(sheet, [&](const std::string& name, auto* p) { file.read(name, f.file, p, f.memory); });
   file.read("bonds", b.file, sheet.bits.row(-reach, 0) - sheet.bits.per_block(), b.memory);
   file.read("states", t.file, sheet.state(-reach, 0) - 1, t.memory);
+  sheet.find_cracks();
 }
 
 int precision_of(const IceSheet& sheet) {

@@ -2,7 +2,7 @@
 //
 //   u_x .. u_z, v_*, residual_*, acceleration_*   float32 or float64 as the solver computes, [j][k][i]
 //   bonds                                         uint16, [j][block][slot], see BondBits
-//   touched                                       uint8, [j][k][block], see RowFields
+//   states                                        uint8, [j][k][block], see RowFields::state
 //
 // Rows are padded to whole blocks of 16 particles.
 #pragma once

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/communicator.h"
@@ -24,7 +25,7 @@ class WaterReaction {
  public:
   WaterReaction(const Communicator& comm, const Scenario& scenario, const Lattice& lattice,
                 const EnergyModel& model);
-  bool acts() const { return added_mass_ > 0.0 || drag_ > 0.0 || plane_; }
+  bool acts() const { return law_.added_mass > 0.0 || law_.drag > 0.0 || plane_; }
 
   // Collective. Adds to the accelerations of this rank's ice, which must hold all other forces but weight and
   // lift; returns the energy the water takes, in quanta: its motion, which it may give back, and drag. What
@@ -32,43 +33,27 @@ class WaterReaction {
   std::int64_t apply(IceSheet& sheet, const std::vector<HullStrike>& strikes);
 
  private:
-  // A column in the water, along its normal.
-  struct Column {
-    std::ptrdiff_t p;  // its lowest particle in the fields
-    int block, cell;   // of this rank's blocks; of the water's plane
-    Vec3 n;
-    double mass = 0.0;   //!< with its own added mass [kg]; 0 where the water does nothing
-    double share = 0.0;  // that lies in the plane
-    double v, a;         //!< mean velocity [m/s]; acceleration of all forces but the water's [m/s^2]
-    double reached;      //!< acceleration with the strike, own added mass and drag [m/s^2]
-    double change;       //!< what the water has added to it [m/s^2]
-  };
-  struct Wet {  // shares of the lower and the higher face
-    double low, high;
-  };
-
+  using Struck =
+      std::vector<std::pair<std::ptrdiff_t, Vec3>>;  // columns by place, and what the hull did to them
   template <class Real>
-  std::int64_t apply_to(IceSheet& sheet, const std::vector<HullStrike>& strikes);
+  std::int64_t apply_to(IceSheet& sheet, const Struck& struck);
   template <class Real>
-  void find_columns(const IceSheet& sheet, const std::vector<HullStrike>& strikes);
-  template <class Real>
-  bool plate(const IceSheet& sheet, Column& column, Wet& wet) const;
-  template <class Real>
-  void react(const IceSheet& sheet, Column& column, const Vec3& struck) const;
-  void resist_plane();
-  template <class Real>
-  std::int64_t push(IceSheet& sheet) const;
+  WaterFields<Real> fields(IceSheet& sheet, int jl, int b) const;
+  const WaterStrikes* strikes_at(const Layout& layout, int jl, int b, const Struck& struck);
+  unsigned mobile(const IceSheet& sheet, int jl, int b);
+  void resist_plane(const Layout& layout);
 
   Communicator comm_;
   EnergyModel model_;
-  double added_mass_;  //!< of a wet face [kg]
-  double drag_;        //!< of both faces, over the speed squared [kg/m]
-  double thickness_;   //!< [m]
-  int cell_ = 1;       // columns along the side of a cell of the plane
+  WaterLaw law_;
+  int cell_ = 1;  // columns along the side of a cell of the plane
   int cells_across_ = 0;
   double most_mobile_ = 0.0;  //!< a cell of whole ice, all of it in the plane [1/kg]
   std::unique_ptr<WaterPlane> plane_;
-  std::vector<Column> columns_;  // of this rank, in the step under way
+  std::vector<std::uint16_t>
+      mobile_;  // [column][block]: a bit a column of particles; the lattice's, so for good
+  std::vector<WaterColumns> blocks_;  // [column][block] of this rank, in the step under way
+  WaterStrikes strikes_;              // of the block at hand
 };
 
 }  // namespace icebow

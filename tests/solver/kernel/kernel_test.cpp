@@ -17,10 +17,10 @@ double evaluate(const Real (&c)[n], double e) {
   return p;
 }
 
-// `first` is what the coefficients of G and H were divided by.
+// `first` is what the coefficients of G and H are divided by.
 template <class Real, int degree>
 void check_fits(const LawFits<Real, degree>& law, double lower, double upper, double tolerance,
-                double first = 1.0) {
+                double first = 0.5) {
   for (int n = 0; n <= 1000; ++n) {
     const double e = lower + (upper - lower) * n / 1000.0, root = std::sqrt(1.0 + e);
     CHECK(std::abs(first * evaluate(law.G, e) * (1.0 + root) - 1.0) < tolerance);
@@ -52,11 +52,11 @@ TEST_CASE("the fitted bond law is the exact one") {
     const auto fp32 = make_bond_law<float>(stretch_material(s0));
     check_fits(fp32.wide, fp32.e_min, fp32.e_max, 2e-6);
     check_fits(fp32.small, -fp32.e_small, fp32.e_small, 2e-6);
-    check_fits(fp32.calm, -fp32.e_calm, fp32.e_calm, 0.76 * calm_strain, 0.5);
+    check_fits(fp32.calm, -fp32.e_calm, fp32.e_calm, 0.76 * calm_strain);
     const auto fp64 = make_bond_law<double>(stretch_material(s0));
     check_fits(fp64.wide, fp64.e_min, fp64.e_max, 2e-11);
     check_fits(fp64.small, -fp64.e_small, fp64.e_small, 2e-11);
-    check_fits(fp64.calm, -fp64.e_calm, fp64.e_calm, 1e-9, 0.5);
+    check_fits(fp64.calm, -fp64.e_calm, fp64.e_calm, 1e-9);
   }
 }
 
@@ -121,8 +121,7 @@ TEST_CASE("an overstretched bond breaks and never heals") {
   const std::int64_t before = b.sheet.bits.count();
   const double cut = 20 * b.lattice.dx;
   b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
-  // A block that was intact notices in one step and breaks its bonds in the next.
-  const std::int64_t broken = b.accelerate() + b.accelerate();
+  const std::int64_t broken = b.accelerate();
   CHECK(broken > 0);
   CHECK(b.sheet.bits.count() == before - broken);
   CHECK(b.accelerate() == 0);
@@ -185,11 +184,11 @@ TEST_CASE("linear blocks end where ice is bent, and next to a crack") {
   CHECK(b.sheet.linear_share() == 1.0);
   const double cut = 120 * b.lattice.dx;
   b.displace([&](const Vec3& x) -> Vec3 { return Vec3(x.x() > cut ? 0.002 : 0.0, 0.0, 0.0); });
-  b.accelerate();
   CHECK(b.accelerate() > 0);
   b.displace([](const Vec3&) -> Vec3 { return Vec3::Zero(); });
   b.accelerate();
-  CHECK(b.sheet.linear_share() == Approx(0.7));  // the cut runs through block 7: 6 to 8
+  CHECK(b.sheet.linear_share() ==
+        Approx(0.9));  // the cut runs through block 7, and no bond of others is broken
 }
 
 TEST_CASE("every vector width computes the same") {

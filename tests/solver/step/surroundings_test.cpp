@@ -207,7 +207,6 @@ void cut_apart(IceSheet& sheet) {
   for (int jl = -reach; jl < sheet.layout.columns; ++jl) {
     for (int k = 0; k < sheet.layout.nz; ++k) {
       for (int b = 0; b < sheet.layout.blocks; ++b) {
-        sheet.state(jl, k)[b] = touched;
         for (int n = 0; n < sheet.stencil.slots(k); ++n) {
           const Offset& o = sheet.stencil.half[k][n];
           for (int l = 0; l < block; ++l) {
@@ -220,6 +219,7 @@ void cut_apart(IceSheet& sheet) {
       }
     }
   }
+  sheet.find_cracks();
 }
 
 }  // namespace
