@@ -67,12 +67,19 @@ void IceSheet::shift_fields(const Communicator& comm) {
   });
 }
 
-// Copies of the neighbours' bonds included: those to the east get their new one from there.
+// The block handed on, and those beside it, come from the rank that followed their bonds: of copies a rank
+// follows only bonds of its own particles. What either has seen break is broken.
 void IceSheet::shift_bonds(const Communicator& comm) {
-  const std::size_t per_block = bits.per_block(), columns = layout.columns + reach;
+  const std::size_t per_block = bits.per_block(), columns = layout.columns + reach, handed = 3 * per_block;
   const int blocks = layout.blocks;
-  std::vector<std::uint16_t> words(columns * per_block), east_words(words.size());
+  std::vector<std::uint16_t> words(columns * handed), east_words(words.size());
   std::vector<std::uint8_t> states(columns * layout.nz), east_states(states.size());
+  for (int jl = -reach; jl < layout.columns; ++jl) {
+    std::copy_n(bits.row(jl, 0) - per_block, handed, &words[(jl + reach) * handed]);
+    for (int k = 0; k < layout.nz; ++k) states[(jl + reach) * layout.nz + k] = state(jl, k)[0];
+  }
+  comm.shift(words.data(), partition.west, east_words.data(), partition.east, words.size() * sizeof words[0]);
+  comm.shift(states.data(), partition.west, east_states.data(), partition.east, states.size());
   for (int jl = -reach; jl < layout.columns; ++jl) {
     std::uint16_t* const column = bits.row(jl, 0);
     std::memmove(column - per_block, column, (blocks + 1) * per_block * sizeof(std::uint16_t));
@@ -80,39 +87,32 @@ void IceSheet::shift_bonds(const Communicator& comm) {
     for (int k = 0; k < layout.nz; ++k) {
       std::uint8_t* const row = state(jl, k);
       std::memmove(row - 1, row, blocks + 1);
-      row[blocks] = calm;
-      if (partition.west < 0) row[-1] = calm;  // there is no block beyond the end
-      if (partition.east < 0) row[blocks - 1] = calm;
+      row[blocks - 1] = partition.east < 0 ? calm : east_states[(jl + reach) * layout.nz + k];
+    }
+    if (partition.east >= 0) {
+      const std::uint16_t* const from = &east_words[(jl + reach) * handed];
+      std::uint16_t* const to = column + (blocks - 2) * std::ptrdiff_t(per_block);
+      for (std::size_t n = 0; n < 2 * per_block; ++n) to[n] &= from[n];
+      std::copy_n(from + 2 * per_block, per_block, to + 2 * per_block);
     }
     mend_bonds(jl);
-    std::copy_n(column, per_block, &words[(jl + reach) * per_block]);
-    for (int k = 0; k < layout.nz; ++k) states[(jl + reach) * layout.nz + k] = state(jl, k)[0];
-  }
-  comm.shift(words.data(), partition.west, east_words.data(), partition.east, words.size() * sizeof words[0]);
-  comm.shift(states.data(), partition.west, east_states.data(), partition.east, states.size());
-  if (partition.east < 0) return;
-  for (int jl = -reach; jl < layout.columns; ++jl) {
-    std::copy_n(&east_words[(jl + reach) * per_block], per_block, bits.row(jl, 0) + blocks * per_block);
-    for (int k = 0; k < layout.nz; ++k) state(jl, k)[blocks] = east_states[(jl + reach) * layout.nz + k];
   }
 }
 
 // At the ends of the lattice: bonds into the dropped block are gone, fresh ice is whole and bonded to what
-// was the end before.
+// was the end before. Of copies too.
 void IceSheet::mend_bonds(int jl) {
-  const int j = layout.j0 + jl, last = layout.blocks - 1;
+  const int j = layout.j0 + jl, last = lattice.blocks() - 1 - layout.i0 / block;
+  const auto words_of = [&](int b, int k) { return bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block(); };
+  const auto followed = [&](int b) { return b >= -1 && b <= layout.blocks; };
   for (int k = 0; k < layout.nz; ++k) {
-    std::uint16_t* const words = bits.row(jl, k);
-    std::uint16_t* const fresh = words + std::ptrdiff_t(last) * bits.per_block();
     for (int s = 0; s < stencil.slots(k); ++s) {
       const Offset& o = stencil.half[k][s];
-      if (partition.west < 0) words[s] &= BondBits::whole(lattice, o, layout.i0, j);
-      if (partition.east >= 0) continue;
-      fresh[s] = BondBits::whole(lattice, o, layout.i0 + last * block, j);
-      if (o.di <= 0) continue;
+      if (partition.west < 0) words_of(0, k)[s] &= BondBits::whole(lattice, o, layout.i0, j);
+      if (followed(last)) words_of(last, k)[s] = BondBits::whole(lattice, o, layout.i0 + last * block, j);
+      if (o.di <= 0 || !followed(last - 1)) continue;
       const unsigned beyond = 0xffffu & ~(0xffffu >> o.di);
-      std::uint16_t& before = fresh[s - std::ptrdiff_t(bits.per_block())];
-      before |= BondBits::whole(lattice, o, layout.i0 + (last - 1) * block, j) & beyond;
+      words_of(last - 1, k)[s] |= BondBits::whole(lattice, o, layout.i0 + (last - 1) * block, j) & beyond;
     }
   }
 }
