@@ -34,6 +34,11 @@ std::string tie_clause(const Ranking& ranking, int ranked) {
   return "; its interval overlaps that of no other design.";
 }
 
+std::string sentence(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + '.';
+}
+
 std::string headline(const StudyResults& study, int ranked) {
   if (ranked > 0) {
     const RankedDesign& best = study.ranking.rows.front();
@@ -94,13 +99,11 @@ void add_missing_remark(const StudyResults& study, std::vector<std::string>& rem
 Verdict verdict(const StudyResults& study) {
   const int ranked = study.ranked();
   Verdict result;
-  result.headline = headline(study, ranked);
+  for (const std::string& words : study.ranking.disagreements) result.headline += sentence(words) + " ";
+  result.headline += headline(study, ranked);
   add_baseline_remark(study, ranked, result.remarks);
   if (study.ranking.rank_by != "lindqvist_breaking") add_lindqvist_remark(study.ranking, result.remarks);
-  for (std::string warning : study.ranking.warnings) {
-    warning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
-    result.remarks.push_back(warning + '.');
-  }
+  for (const std::string& warning : study.ranking.warnings) result.remarks.push_back(sentence(warning));
   add_missing_remark(study, result.remarks);
   return result;
 }

@@ -104,7 +104,7 @@ int run_check(const Communicator&, const Arguments& arguments) {
   if (!spec.purpose.empty()) text += "purpose: " + spec.purpose + "\n";
   text += design_lines(plan) + method_lines(spec, plan) + operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
-          (spec.use_peridynamics ? " peridynamics" : "") + "\n";
+          (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "") + "\n";
   if (spec.use_peridynamics) text += size_line(spec.baseline);
   std::cout << text;
   return exit_code::ok;

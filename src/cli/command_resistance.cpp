@@ -1,30 +1,107 @@
+#include <cmath>
 #include <iostream>
+#include <limits>
 
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "formula/lindqvist.h"
+#include "formula/riska.h"
+#include "geometry/mesh_slice.h"
+#include "study/evaluate/cycle_run.h"
 #include "study/evaluate/evaluator_inputs.h"
+#include "study/evaluate/patch_tests.h"
 #include "study/evaluate/result_json.h"
+#include "study/spec/case_hull.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {
 
-std::string for_people(const std::string& design, const LindqvistInputs& in, const LindqvistResult& r) {
-  const auto kilonewtons = [](double newtons) { return decimals(newtons / 1e3, 1); };
-  std::string text = design + ": Lindqvist 1989, full scale, ice " + brief(in.h) + " m, " + brief(in.V) +
-                     " m/s (" + brief(in.V / metres_per_second_per_knot) + " kn), flexural strength " +
-                     brief(in.sigma_f / 1e3) + " kPa, friction " + brief(in.mu) + "\n\n";
-  if (r.valid) {
-    text += text_table({{"part", "kN"},
-                        {"crushing", kilonewtons(r.crushing)},
-                        {"bending", kilonewtons(r.bending)},
-                        {"submersion", kilonewtons(r.submersion)},
-                        {"breaking at speed", kilonewtons(r.breaking)},
-                        {"total at speed", kilonewtons(r.total)}});
+struct Answers {
+  LindqvistInputs inputs;
+  LindqvistResult lindqvist;
+  RiskaInputs riska_inputs;
+  RiskaResult riska;
+  CycleOutcome cycle;
+};
+
+// Along the waterline, where the hull has at least 99.5 % of its largest beam [m].
+double parallel_length(const QuadMesh& hull) {
+  double widest = 0.0, first = -std::numeric_limits<double>::infinity(), last = -first;
+  const auto lines = slice(hull, 2, 0.0);
+  for (const Polyline& line : lines)
+    for (const Vec3& p : line) widest = std::max(widest, std::abs(p.y()));
+  for (const Polyline& line : lines) {
+    for (const Vec3& p : line) {
+      if (std::abs(p.y()) < 0.995 * widest) continue;
+      first = std::max(first, p.x()), last = std::min(last, p.x());
+    }
   }
+  return std::max(0.0, first - last);
+}
+
+RiskaInputs riska_inputs(const Case& c, const Hull& hull) {
+  RiskaInputs in;
+  in.L = c.bow.L, in.B = c.bow.B, in.T = c.bow.T, in.L_bow = c.bow.Lf, in.stem = c.bow.angles.stem;
+  in.L_par = hull.status == HullStatus::ok ? parallel_length(hull.mesh) : 0.0;
+  in.h = c.ice.h, in.V = c.V;
+  return in;
+}
+
+Answers answers(const Case& c) {
+  Answers a;
+  a.inputs = lindqvist_inputs(c);
+  a.lindqvist = lindqvist(a.inputs);
+  const Hull hull = make_hull(c);
+  a.riska_inputs = riska_inputs(c, hull);
+  a.riska = riska_1997(a.riska_inputs);
+  if (hull.status == HullStatus::ok) {
+    a.cycle = run_cycle(c, hull.mesh, cycle_rule(Communicator::serial(), c));
+  } else {
+    a.cycle.reason = "there is no hull: " + hull.reason;
+  }
+  return a;
+}
+
+Json riska_json(const Answers& a) {
+  const auto force = [&](double value) { return a.riska.valid ? Json(value) : Json(nullptr); };
+  return {{"at_rest_N", force(a.riska.C1)},
+          {"total_N", force(a.riska.total)},
+          {"parallel_length_m", a.riska_inputs.L_par},
+          {"bow_length_m", a.riska_inputs.L_bow},
+          {"valid", a.riska.valid},
+          {"reason", a.riska.reason}};
+}
+
+std::string for_people(const std::string& design, const Answers& a) {
+  const auto kilonewtons = [](double newtons) { return decimals(newtons / 1e3, 1); };
+  const LindqvistInputs& in = a.inputs;
+  const LindqvistResult& r = a.lindqvist;
+  const CycleOutcome& o = a.cycle;
+  const bool sails = o.reason.empty();
+  const auto formula = [&](double value) { return r.valid ? kilonewtons(value) : std::string("-"); };
+  const auto cycle = [&](double value) { return sails ? kilonewtons(value) : std::string("-"); };
+  std::string text = design + ": full scale, ice " + brief(in.h) + " m, " + brief(in.V) + " m/s (" +
+                     brief(in.V / metres_per_second_per_knot) + " kn), flexural strength " +
+                     brief(in.sigma_f / 1e3) + " kPa, friction " + brief(in.mu) + "\n\n";
+  const double breaking = o.mean - o.submersion - o.water;
+  text += text_table({{"kN", "Lindqvist 1989", "Riska 1997", "cycle"},
+                      {"crushing", formula(r.crushing), "", cycle(o.crushing)},
+                      {"bending", formula(r.bending), "", cycle(o.bending)},
+                      {"friction", "", "", cycle(o.friction)},
+                      {"submersion", formula(r.submersion), "", cycle(o.submersion)},
+                      {"water", "", "", cycle(o.water)},
+                      {"breaking at speed", formula(r.breaking), "", cycle(breaking)},
+                      {"total at speed", formula(r.total), a.riska.valid ? kilonewtons(a.riska.total) : "-",
+                       sails ? kilonewtons(o.mean) + " \u00b1 " + kilonewtons(o.ci95) : "-"}});
+  text +=
+      "Lindqvist's parts are at rest, friction in them; the cycle's are at speed. Riska's line knows no "
+      "strength.\n";
   if (!r.caution.empty()) text += "caution: " + r.caution + "\n";
+  if (!a.riska.valid) text += "Riska: " + a.riska.reason + "\n";
+  if (!sails) text += "cycle: " + o.reason + "\n";
   return text;
 }
 
@@ -32,19 +109,21 @@ std::string for_people(const std::string& design, const LindqvistInputs& in, con
 
 int run_resistance(const Communicator&, const Arguments& arguments) {
   const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
-  const LindqvistInputs inputs = lindqvist_inputs(chosen.description);
-  const LindqvistResult result = lindqvist(inputs);
+  const Case& c = chosen.description;
+  const Answers a = answers(c);
   if (arguments.has("--json")) {
     std::cout << Json{{"design", chosen.design.name},
-                      {"lindqvist", lindqvist_json(result, inputs)},
-                      {"inputs", lindqvist_inputs_json(inputs)}}
+                      {"lindqvist", lindqvist_json(a.lindqvist, a.inputs)},
+                      {"riska", riska_json(a)},
+                      {"cycle", cycle_json(a.cycle, c, c.cycle.rule)},
+                      {"inputs", lindqvist_inputs_json(a.inputs)}}
                      .dump(2)
               << "\n";
   } else {
-    std::cout << for_people(chosen.design.name, inputs, result);
+    std::cout << for_people(chosen.design.name, a);
   }
-  if (result.valid) return exit_code::ok;
-  std::cerr << chosen.design.name << ": the formula does not apply: " << result.reason << "\n";
+  if (a.lindqvist.valid) return exit_code::ok;
+  std::cerr << chosen.design.name << ": Lindqvist's formula does not apply: " << a.lindqvist.reason << "\n";
   return exit_code::failure;
 }
 

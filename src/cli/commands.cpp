@@ -55,11 +55,23 @@ const std::vector<Command>& commands() {
        run_measure},
       {"resistance",
        "STUDY",
-       "Lindqvist's ice resistance of a design, full scale",
-       "Exits with 1 where the formula cannot be applied to the design.",
+       "ice resistance of a design by formulas and by the breaking cycle, full scale",
+       "Lindqvist 1989, Riska 1997 and the cycle side by side. Exits with 1 where Lindqvist's formula cannot "
+       "be "
+       "applied.",
        {set, design, json},
        false,
        run_resistance},
+      {"cycle",
+       "STUDY",
+       "mean ice load of a design by the breaking cycle, within a second, full scale",
+       "The hull's own mesh crushes and breaks level ice over some voyages (section \"cycle\" of the study; "
+       "docs/cycle.md).\n"
+       "--set /cycle/submersion=false leaves the breaking alone. Exits with 1 where there is no hull or no "
+       "voyage.",
+       {set, design, json},
+       false,
+       run_cycle_command},
       {"calibrate",
        "STUDY",
        "what an ice tank's tests would measure of a design's ice",

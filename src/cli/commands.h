@@ -16,6 +16,7 @@ int run_hull(const Communicator& comm, const Arguments& arguments);
 int run_measure(const Communicator& comm, const Arguments& arguments);
 int run_calibrate(const Communicator& comm, const Arguments& arguments);
 int run_resistance(const Communicator& comm, const Arguments& arguments);
+int run_cycle_command(const Communicator& comm, const Arguments& arguments);
 int run_rank(const Communicator& comm, const Arguments& arguments);
 int run_report(const Communicator& comm, const Arguments& arguments);
 // Collective.

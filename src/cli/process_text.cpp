@@ -31,7 +31,7 @@ bool has_process(const Json& result) {
   return result.is_object() && result.contains("process") && result.at("process").is_object();
 }
 
-std::string cycle(const Json& process) {
+std::string load_rhythm(const Json& process) {
   const bool clear = process.value("/load_cycle/cycles"_json_pointer, std::string()) == "clear";
   return clear ? thicknesses(process, "/load_cycle/advance_m") : "overlapping";
 }
@@ -48,7 +48,7 @@ std::string process_table(const Ranking& ranking) {
     rows.push_back(
         {row.evaluation.name, count(p, "/cracks/radial/count"), count(p, "/cracks/circumferential/count"),
          count(p, "/cracks/splitting/count"), thicknesses(p, "/breaking_length/normal_m"),
-         count(p, "/floes/count"), percent(p, "/detached/in_floes_share"), cycle(p),
+         count(p, "/floes/count"), percent(p, "/detached/in_floes_share"), load_rhythm(p),
          decimals(at(p, "/load_cycle/peak_over_mean"), 1), percent(p, "/load_cycle/without_contact_share")});
   }
   return rows.size() > 1 ? text_table(rows) : "";
@@ -66,7 +66,7 @@ std::string process_text(const Json& result) {
          " % of it, " + percent(p, "/detached/dust_share") + " % dust\n" + "load: peak/mean " +
          decimals(at(p, "/load_cycle/peak_over_mean"), 1) + ", no contact for " +
          percent(p, "/load_cycle/without_contact_share") + " % of the time, cycles " +
-         (cycle(p) == "overlapping" ? cycle(p) : "of " + cycle(p) + " h") + "\n" +
+         (load_rhythm(p) == "overlapping" ? load_rhythm(p) : "of " + load_rhythm(p) + " h") + "\n" +
          "hull's work: " + percent(p, "/energy/fracture") + " % fracture, " +
          percent(p, "/energy/contact_loss") + " % friction and impact, " + percent(p, "/energy/kinetic") +
          " % motion of the ice\n";

@@ -23,6 +23,28 @@ std::string interval(const RankedDesign& row) {
   return kilonewtons(row.mean_load) + " \u00b1 " + half + runs;
 }
 
+std::string simulated(const RankedDesign& row) {
+  if (!std::isfinite(row.solver_load)) return "";
+  return kilonewtons(row.solver_load) + " \u00b1 " +
+         (std::isfinite(row.solver_ci95) ? kilonewtons(row.solver_ci95) : "?");
+}
+
+// How the mean loads of a study that confirms designs came about.
+std::string confirmation_text(const Ranking& ranking) {
+  const RatioFit& fit = ranking.confirmed;
+  if (fit.designs == 0) return "";
+  std::string text;
+  for (const std::string& words : ranking.disagreements) text += words + "\n";
+  text += "mean load = cycle x " + decimals(std::exp(fit.constant), 2) +
+          ", the ratio of simulation and cycle over " + std::to_string(fit.designs) + " designs";
+  if (!fit.variable.empty())
+    text += ", x exp(" + brief(fit.slope) + " (" + fit.variable + " - " + brief(fit.middle) + "))";
+  if (std::isfinite(fit.error))
+    text += "; a design left out is met within " + decimals(100.0 * fit.error, 0) +
+            " % (by a constant alone " + decimals(100.0 * fit.error_of_constant, 0) + " %)";
+  return text + "\nTies are told without the error of the ratio that all designs share.\n\n";
+}
+
 std::string tie(const RankedDesign& row) {
   if (row.tied_with_best && row.rank > 1) return "with the best";
   return row.tied_with_next ? "with the next" : "";
@@ -42,8 +64,10 @@ Ranking read_ranking(const std::string& directory) {
 }
 
 std::string ranking_text(const Ranking& ranking) {
+  const bool confirmed = ranking.confirmed.designs > 0;
   std::vector<std::vector<std::string>> rows = {
       {"design", "rank", "mean load, kN", "Lindqvist breaking, kN", "ratio", "tied"}};
+  if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
   std::string others;
   for (const RankedDesign& row : ranking.rows) {
     const Evaluation& e = row.evaluation;
@@ -53,9 +77,13 @@ std::string ranking_text(const Ranking& ranking) {
     }
     rows.push_back({e.name, std::to_string(row.rank), interval(row), kilonewtons(row.lindqvist_breaking),
                     decimals(row.ratio, 2), tie(row)});
+    if (confirmed)
+      rows.back().insert(
+          rows.back().begin() + 3,
+          {kilonewtons(row.cycle_load) + " \u00b1 " + kilonewtons(row.cycle_ci95), simulated(row)});
   }
-  std::string text = "ranked by " + ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
-                     text_table(rows);
+  std::string text = confirmation_text(ranking) + "ranked by " + ranking.rank_by +
+                     ", full scale, \u00b1 95 % interval of the mean\n\n" + text_table(rows);
   const std::string process = process_table(ranking);
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;

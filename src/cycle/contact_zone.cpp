@@ -24,24 +24,6 @@ Part inside(double x0, double x1, double a, double b) {
   return {std::clamp(at_a, 0.0, 1.0), std::clamp(at_b, 0.0, 1.0)};
 }
 
-// The front at a height between rows; `none` where the hull is not at both.
-struct Reader {
-  const FrontMap& map;
-  int column;
-  double at(double row) const {
-    const double place = std::clamp(row, 0.0, static_cast<double>(map.rows() - 1));
-    const int below = std::min(static_cast<int>(place), map.rows() - 2);
-    const double t = place - below, low = map.x(column, below), high = map.x(column, below + 1);
-    if (t == 0.0) return low;
-    if (low == FrontMap::none || high == FrontMap::none) return FrontMap::none;
-    return low + t * (high - low);
-  }
-  double slope_y(double row) const {
-    const int nearest = std::clamp(static_cast<int>(std::lround(row)), 0, map.rows() - 1);
-    return map.slope_y(column, nearest);
-  }
-};
-
 }  // namespace
 
 Directions directions(const Vec3& area, double friction_coefficient) {
@@ -54,6 +36,13 @@ Directions directions(const Vec3& area, double friction_coefficient) {
   return d;
 }
 
+double down_area(const Vec3& area, double friction_coefficient) {
+  const double across = std::sqrt(area.y() * area.y() + area.z() * area.z());
+  if (across <= 1e-9 * area.x()) return -area.z();
+  const double held = 1.0 - friction_coefficient * area.x() / across;
+  return -area.z() * std::max(0.0, held);
+}
+
 double down_share(const Directions& d, double friction_coefficient) {
   return -d.normal.z() - friction_coefficient * d.friction.z();
 }
@@ -62,38 +51,48 @@ ZoneSolver::ZoneSolver(const Ice& ice, const HullFront& front, const Strips& str
                        std::vector<IceStrip>& sheet)
     : ice_(ice), front_(front), strips_(strips), sheet_(sheet), stiffness_(edge_stiffness(ice)) {}
 
-void ZoneSolver::touch(Touch& t, double X, double w) const {
+// Rows of the front that the ice's lower face lies between when it has gone down by w.
+ZoneSolver::Level ZoneSolver::level(double w) const {
+  const double highest = front_.map.rows() - HullFront::layers - 2;
+  const double row = std::clamp(front_.bottom_row - w / front_.map.dz(), 0.0, highest);
+  const int below = static_cast<int>(row);
+  return {below, row - below};
+}
+
+void ZoneSolver::touch(Touch& t, double X, const Level& level) const {
   const Interval& edge = sheet_[static_cast<std::size_t>(t.strip)].intervals()[t.interval];
-  const Reader hull = {front_.map, t.strip};
-  const double dz = front_.map.dz(), lowest = front_.bottom_row - w / dz;
-  const double width = strips_.width[static_cast<std::size_t>(t.strip)];
-  t.area.setZero();
-  t.depth = 0.0;
-  t.bare = edge.to;
-  double below = hull.at(lowest);
-  for (int j = 0; j < HullFront::layers; ++j) {
-    const double above = hull.at(lowest + j + 1), x0 = X + below, x1 = X + above;
-    const bool there = below > FrontMap::none && above > FrontMap::none;
-    t.bare = std::min({t.bare, x0, x1});
-    below = above;
-    if (!there || std::max(x0, x1) <= edge.from) continue;
-    t.depth = std::max({t.depth, x0 - edge.from, x1 - edge.from});
-    const Part part = inside(x0, x1, edge.from, edge.to);
-    const double height = part.length() * dz;
-    t.area += width * Vec3(height, height * hull.slope_y(lowest + j + 0.5), -part.length() * (x1 - x0));
+  const double* x = front_.map.column(t.strip) + level.row;
+  double front[HullFront::layers + 1];
+  for (int j = 0; j <= HullFront::layers; ++j) {
+    const bool there = x[j] > FrontMap::none && x[j + 1] > FrontMap::none;
+    front[j] = there ? X + x[j] + level.part * (x[j + 1] - x[j]) : FrontMap::none;
   }
-  t.presses = t.area.x() > 0.0 && t.depth >= edge.memory * (1.0 - near_equal);
+  t.bare = edge.to, t.depth = 0.0, t.presses = false;
+  double height = 0.0, plan = 0.0;  // of the contact in layers, and seen from above
+  for (int j = 0; j < HullFront::layers; ++j) {
+    const double x0 = front[j], x1 = front[j + 1], further = std::max(x0, x1);
+    t.bare = std::min({t.bare, x0, x1});
+    if (further <= edge.from || std::min(x0, x1) == FrontMap::none) continue;
+    t.depth = std::max(t.depth, further - edge.from);
+    const Part part = inside(x0, x1, edge.from, edge.to);
+    height += part.length(), plan += part.length() * (x1 - x0);
+  }
+  if (height <= 0.0 || t.depth < edge.memory * (1.0 - near_equal)) return;
+  const double width = strips_.width[static_cast<std::size_t>(t.strip)];
+  const double up = height * width * front_.map.dz();
+  t.area = Vec3(up, up * front_.map.slope_y(t.strip, level.row + (HullFront::layers + 1) / 2), -plan * width);
+  t.presses = true;
 }
 
 double ZoneSolver::load(Zone& zone, double X, double w) const {
+  const Level at = level(w);
   zone.area.setZero();
   zone.down = 0.0;
   for (Touch& t : zone.touches) {
-    touch(t, X, w);
-    t.normal_force = t.presses ? ice_.p_c * t.area.norm() : 0.0;
+    touch(t, X, at);
     if (!t.presses) continue;
     zone.area += t.area;
-    zone.down += zone.factor * t.normal_force * down_share(directions(t.area, ice_.friction), ice_.friction);
+    zone.down += zone.factor * ice_.p_c * down_area(t.area, ice_.friction);
   }
   return zone.down;
 }
@@ -165,7 +164,7 @@ void ZoneSolver::settle(Zone& zone, double X, double largest, double step) const
   zone.deflection = way * w;
   load(zone, X, zone.deflection);
   zone.share = w > 0.0 && zone.down != 0.0 ? std::min(1.0, stiffness_ * w / std::abs(zone.down)) : 1.0;
-  for (Touch& t : zone.touches) t.normal_force *= zone.share;
+  for (Touch& t : zone.touches) t.normal_force = t.presses ? zone.share * ice_.p_c * t.area.norm() : 0.0;
   zone.down *= zone.share;
   width(zone);
 }

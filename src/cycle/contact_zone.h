@@ -43,6 +43,9 @@ Directions directions(const Vec3& area, double friction_coefficient);
 // Load down on the ice for a normal force of 1 N.
 double down_share(const Directions& d, double friction_coefficient);
 
+// The same for a contact of that vector area [m^2], times the area's size: with p_c it is the load [m^2].
+double down_area(const Vec3& area, double friction_coefficient);
+
 class ZoneSolver {
  public:
   ZoneSolver(const Ice& ice, const HullFront& front, const Strips& strips, std::vector<IceStrip>& sheet);
@@ -59,7 +62,12 @@ class ZoneSolver {
   };
   double deflection(Zone& zone, double X, const Bounds& bounds, double way) const;
   double load(Zone& zone, double X, double w) const;
-  void touch(Touch& t, double X, double w) const;
+  struct Level {
+    int row;
+    double part;  // of the way to the next row
+  };
+  Level level(double w) const;
+  void touch(Touch& t, double X, const Level& level) const;
   void width(Zone& zone) const;
 
   const Ice& ice_;

@@ -23,6 +23,8 @@ class FrontMap {
 
   double x(int column, int row) const { return x_[index(column, row)]; }
   bool reaches(int column, int row) const { return x(column, row) > none; }
+  // The samples of a column, upwards.
+  const double* column(int i) const { return x_.data() + index(i, 0); }
   // -dx/dy of the foremost panel there: n_y / n_x of its outward normal.
   double slope_y(int column, int row) const { return slope_y_[index(column, row)]; }
 

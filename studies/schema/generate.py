@@ -27,7 +27,7 @@ CONDITIONS = {"bow": [
     "ice": [{"key": "model", "is": "calibrated", "then": ([], ["fracture_toughness", "critical_stretch"]),
              "else": ([], [])}]}
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
-SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "output", "ranking", "execution"]
+SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
 
@@ -150,8 +150,8 @@ def make_schema(table):
     keys = table["keys"]
     top = properties(keys, "")
     top.update({s: section_schema(keys, s) for s in SECTIONS})
-    top["evaluators"] = {"description": "default both", "type": "array", "minItems": 1, "uniqueItems": True,
-                         "items": {"enum": ["lindqvist", "peridynamics"]}}
+    top["evaluators"] = {"description": "default lindqvist and peridynamics", "type": "array", "minItems": 1, "uniqueItems": True,
+                         "items": {"enum": ["lindqvist", "cycle", "peridynamics"]}}
     top["designs"] = designs_schema(table)
     top["method"] = method_schema(table)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "urn:icebow:study:1",
@@ -174,7 +174,7 @@ def pretty(value, indent=""):
 
 def key_table(table):
     lines = [BEGIN, ""]
-    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "output", "method", "ranking", "execution"]:
+    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "method", "confirm", "ranking", "execution"]:
         lines += [f"### {'Top level' if not section else '`' + section + '`'}", "",
                   "| key | allowed | default | meaning |", "|---|---|---|---|"]
         for k in (k for k in table["keys"] if k["section"] == section):

@@ -15,7 +15,7 @@ from program import FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TINY
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("check", "hull", "measure", "resistance", "calibrate", "simulate", "run", "rank", "report"):
+        for command in ("check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
         self.assertEqual(text, self.expect(0).stdout)
@@ -242,6 +242,16 @@ class HullAndResistance(ProgramTest):
         self.assertIn(hull["reason"], result.stderr)
         self.assertFalse(path.exists())
         self.assertIn("VIOLATED", self.expect(1, "hull", TINY, "--set", INFEASIBLE).stdout)
+
+    def test_cycle(self):
+        one = json.loads(self.expect(0, "cycle", STUDIES / "cycle_sweep.json", "--json", "--set",
+                                     "/cycle/voyages=1", "--set", "/cycle/voyage_m=60").stdout)
+        for key in ("mean_load_N", "mean_load_ci95_N", "crushing_N", "bending_N", "friction_N", "submersion_N",
+                    "breaking_length_m", "channel_width_m"):
+            self.assertGreater(one[key], 0.0, key)
+        self.assertIn("pieces", self.expect(0, "cycle", STUDIES / "cycle_sweep.json").stdout)
+        refused = self.expect(2, "cycle", TINY, "--set", "/cycle/breaking=guess").stderr
+        self.assertIn("/cycle/breaking", refused)
 
     def test_resistance(self):
         text = self.expect(0, "resistance", TINY, "--json", "--set", "/ice/thickness_m=1",

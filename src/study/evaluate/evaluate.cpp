@@ -1,20 +1,25 @@
 #include "study/evaluate/evaluate.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 
 #include "base/errors.h"
 #include "formula/lindqvist.h"
+#include "geometry/mesh_slice.h"
 #include "hullgen/drawing/lines_plan.h"
 #include "hullgen/mesh/mesh_io.h"
 #include "study/evaluate/calibration.h"
+#include "study/evaluate/cycle_run.h"
 #include "study/evaluate/evaluator_inputs.h"
 #include "study/evaluate/history_csv.h"
+#include "study/evaluate/patch_tests.h"
 #include "study/evaluate/process_json.h"
 #include "study/evaluate/provenance.h"
 #include "study/evaluate/resolution_bias.h"
 #include "study/evaluate/result_json.h"
+#include "study/evaluate/voyage_picture.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
 
@@ -64,6 +69,8 @@ class DesignRun {
   void evaluate();
   void measure_hull();
   void apply_formula();
+  void run_voyages();
+  void draw_voyage(const CycleOutcome& outcome);
   void run_simulation();
   RunResult simulated();
   void take(const RunResult& run);
@@ -100,10 +107,10 @@ void DesignRun::evaluate() {
   }
   error = first_trouble(comm_, error);
   if (!error.empty()) return end(EvaluationStatus::failed, error);
-  e_.key = evaluation_key(case_, asks_for(design_.document, "lindqvist"),
-                          asks_for(design_.document, "peridynamics"));
+  e_.key = evaluation_key(case_, design_.document);
   measure_hull();
   if (!ended_ && asks_for(design_.document, "lindqvist")) apply_formula();
+  if (!ended_ && asks_for(design_.document, "cycle")) run_voyages();
   const bool stop = comm_.is_root() && options_.stop && options_.stop();  // a hull takes a while
   if (!ended_ && comm_.any(stop)) end(EvaluationStatus::running, "interrupted");
   if (!ended_ && asks_for(design_.document, "peridynamics")) run_simulation();
@@ -130,6 +137,42 @@ void DesignRun::write_hull() {
 void DesignRun::apply_formula() {
   const LindqvistInputs inputs = lindqvist_inputs(case_);
   e_.result["lindqvist"] = lindqvist_json(lindqvist(inputs), inputs);
+}
+
+// Where nothing finer is asked for, its record stands where a simulation's would.
+void DesignRun::run_voyages() {
+  cycle::BreakingRule rule;
+  try {
+    rule = cycle_rule(comm_, case_);
+  } catch (const InputError& error) {
+    return end(EvaluationStatus::failed, error.what());
+  }
+  const CycleOutcome outcome = run_cycle(case_, hull_.mesh, rule);
+  e_.result["cycle"] = cycle_json(outcome, case_, rule);
+  if (!outcome.reason.empty()) return;
+  const Json metrics = cycle_metrics_json(outcome), process = process_json(outcome.run.process);
+  e_.result["cycle"]["metrics"] = metrics;
+  e_.result["cycle"]["process"] = process;
+  const bool finest = !asks_for(design_.document, "peridynamics");
+  if (finest) e_.result["metrics"] = metrics, e_.result["process"] = process;
+  if (!writes()) return;
+  on_root(comm_, [&] {
+    draw_voyage(outcome);
+    if (!finest) return;
+    write_text_file(path("history.csv"), history_csv(outcome.run.history));
+    e_.result["files"]["history"] = "history.csv";
+  });
+}
+
+void DesignRun::draw_voyage(const CycleOutcome& outcome) {
+  const auto lines = slice(hull_.mesh, 2, 0.0);
+  const auto longest = std::max_element(
+      lines.begin(), lines.end(), [](const Polyline& a, const Polyline& b) { return a.size() < b.size(); });
+  const double shown = 5.0 * case_.bow.B;
+  write_text_file(path("voyage.svg"),
+                  voyage_svg(outcome.first_voyage, longest == lines.end() ? Polyline() : *longest,
+                             outcome.submersion + outcome.water, shown, design_.name + ": breaking cycle"));
+  e_.result["files"]["voyage"] = "voyage.svg";
 }
 
 void DesignRun::run_simulation() {
@@ -219,8 +262,13 @@ void DesignRun::judge() {
       !result.at("metrics").at("full_scale").at("mean_load_N").is_number()) {
     return end(EvaluationStatus::failed, "the simulation ended with a mean load that is not a finite number");
   }
-  if (!asks_for(design_.document, "peridynamics") && !result.at("lindqvist").at("valid").get<bool>()) {
-    return end(EvaluationStatus::failed, result.at("lindqvist").at("reason").get<std::string>());
+  if (!asks_for(design_.document, "peridynamics")) {
+    if (asks_for(design_.document, "cycle")) {
+      const std::string reason = result.at("cycle").at("reason").get<std::string>();
+      if (!reason.empty()) return end(EvaluationStatus::failed, reason);
+    } else if (!result.at("lindqvist").at("valid").get<bool>()) {
+      return end(EvaluationStatus::failed, result.at("lindqvist").at("reason").get<std::string>());
+    }
   }
   e_.status = EvaluationStatus::ok;
 }
@@ -235,7 +283,7 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
-  for (const char* part : {"hull", "lindqvist", "metrics", "process", "simulation", "profile"}) {
+  for (const char* part : {"hull", "lindqvist", "cycle", "metrics", "process", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }

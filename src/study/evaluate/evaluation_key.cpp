@@ -84,7 +84,8 @@ void describe_hull(Text& text, const Case& c) {
 void describe_case(Text& text, const Case& c) {
   const auto& [lambda, bow, own, ice, ice_model, flexural_strength, compressive_strength, water, sheet,
                numerics, V, advance, steady_from, stop_when_ci95_below, seed, snapshots, pictures,
-               snapshot_format] = c;
+               snapshot_format, cycle] = c;
+  text.ignored("cycle", cycle);  // described where it is asked for
   text.field("lambda", lambda);
   describe_hull(text, c);
   describe_ice(text, ice);
@@ -100,25 +101,56 @@ void describe_case(Text& text, const Case& c) {
   text.option(0, "virtual_tests.version", version, 0);
 }
 
+// Raise it when the same case would give another result of the cycle.
+constexpr int cycle_version = 1;
+
+void describe_cycle(Text& text, const CycleSettings& settings) {
+  const auto& [rule, crushing_pressure, voyage, voyages, seed, scatter, step, raster, symmetric, submersion,
+               submersion_by_hull] = settings;
+  const auto& [type, C, C_l, C_v, table] = rule;
+  text.field("cycle.version", cycle_version);
+  text.field("cycle.breaking", static_cast<int>(type));
+  text.field("cycle.C", C);
+  text.field("cycle.C_l", C_l);
+  text.field("cycle.C_v", C_v);
+  text.ignored("cycle.table", table);  // follows from the ice and the solver
+  text.field("cycle.crushing_pressure", crushing_pressure);
+  text.field("cycle.voyage", voyage);
+  text.field("cycle.voyages", voyages);
+  text.field("cycle.seed", static_cast<double>(seed));
+  text.field("cycle.scatter", scatter);
+  text.field("cycle.step", step);
+  text.field("cycle.raster", raster);
+  text.field("cycle.symmetric", symmetric);
+  text.field("cycle.submersion", submersion);
+  text.field("cycle.submersion_by_hull", submersion_by_hull);
+}
+
 }  // namespace
 
 bool asks_for(const Json& document, const std::string& evaluator) {
-  if (!document.contains("evaluators")) return true;
+  if (!document.contains("evaluators")) return evaluator != "cycle";
   const Json& list = document.at("evaluators");
   return std::find(list.begin(), list.end(), Json(evaluator)) != list.end();
 }
 
-std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics) {
+std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics, bool use_cycle) {
   Text text;
   text.field("icebow.result_version", result_version);
   text.field("use_lindqvist", use_lindqvist);
   text.field("use_peridynamics", use_peridynamics);
   describe_case(text, c);
+  if (use_cycle) describe_cycle(text, c.cycle);
   return text.str();
 }
 
-std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics) {
-  return sha256(evaluation_text(c, use_lindqvist, use_peridynamics));
+std::string evaluation_key(const Case& c, const Json& document) {
+  return evaluation_key(c, asks_for(document, "lindqvist"), asks_for(document, "peridynamics"),
+                        asks_for(document, "cycle"));
+}
+
+std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics, bool use_cycle) {
+  return sha256(evaluation_text(c, use_lindqvist, use_peridynamics, use_cycle));
 }
 
 }  // namespace icebow

@@ -1,5 +1,6 @@
 #include "study/plan/design_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include "base/errors.h"
 #include "base/sha256.h"
 #include "study/evaluate/evaluate.h"
+#include "study/plan/confirmation.h"
 #include "study/plan/repeats.h"
 #include "study/plan/sampling.h"
 #include "study/spec/model_notes.h"
@@ -24,6 +26,12 @@ double number_at(const Json& document, const std::string& pointer) {
   return known ? document.at(at).get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+// What is swept where designs are confirmed later: everything but the simulation.
+void leave_out_simulation(Json& document) {
+  Json& list = document.at("evaluators");
+  list.erase(std::remove(list.begin(), list.end(), Json("peridynamics")), list.end());
+}
+
 PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
   PlannedDesign p;
   p.design.name = name;
@@ -32,14 +40,18 @@ PlannedDesign planned(const StudySpec& spec, const std::string& name, Json docum
     if (std::isfinite(value)) p.design.parameters[variable.pointer] = value;
   }
   try {
-    p.key = evaluation_key(read_case(document, name), asks_for(document, "lindqvist"),
-                           asks_for(document, "peridynamics"));
+    p.key = evaluation_key(read_case(document, name), document);
   } catch (const InputError& error) {
     p.mistake = error.what();
     p.key = sha256("rejected by the reader\n" + json_text(document));
   }
   p.design.document = std::move(document);
   return p;
+}
+
+PlannedDesign swept(const StudySpec& spec, const std::string& name, Json document) {
+  if (spec.confirm.given()) leave_out_simulation(document);
+  return planned(spec, name, std::move(document));
 }
 
 std::vector<std::vector<double>> grid(const Method& method) {
@@ -94,12 +106,12 @@ class Plan {
 
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
-  if (spec.use_peridynamics) plan.plan.notes = model_notes(spec.baseline);
-  if (spec.include_baseline) plan.add(planned(spec, "baseline", spec.document));
+  if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline);
+  if (spec.include_baseline) plan.add(swept(spec, "baseline", spec.document));
   for (const NamedDesign& named : spec.designs) {
     Json document = spec.document;
     document.merge_patch(named.set);
-    plan.add(planned(spec, named.name, std::move(document)));
+    plan.add(swept(spec, named.name, std::move(document)));
   }
   int n = 0;
   for (const std::vector<double>& x : method_points(spec.method)) {
@@ -114,16 +126,23 @@ PlannedDesign design_at(const StudySpec& spec, const std::string& name, const st
   for (std::size_t i = 0; i < x.size(); ++i) {
     document[Json::json_pointer(spec.method.variables[i].pointer)] = rounded(x[i]);
   }
-  return planned(spec, name, std::move(document));
+  return swept(spec, name, std::move(document));
 }
 
 std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design) {
   std::vector<PlannedDesign> runs = {design};
+  if (!asks_for(design.design.document, "peridynamics")) return runs;  // the others would be the same
   for (int number = 2; number <= spec.repeats; ++number) {
     runs.push_back(planned(spec, repeat_name(design.design.name, number),
                            repeat_document(design.design.document, number)));
   }
   return runs;
+}
+
+std::vector<PlannedDesign> confirmations(const StudySpec& spec, const Design& design) {
+  Json document = design.document;
+  document["evaluators"] = {"peridynamics"};
+  return runs_of(spec, planned(spec, confirmation_name(design.name), std::move(document)));
 }
 
 std::vector<double> start_point(const StudySpec& spec) {

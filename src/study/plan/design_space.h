@@ -32,6 +32,9 @@ PlannedDesign design_at(const StudySpec& spec, const std::string& name, const st
 // The runs of a design: itself, and its repeats by the study (study/plan/repeats.h).
 std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design);
 
+// The simulations that confirm a design of the cycle: "NAME@solver", and its repeats by the study.
+std::vector<PlannedDesign> confirmations(const StudySpec& spec, const Design& design);
+
 // Where an optimiser starts: the file's own values, the middle of the range where the file leaves a variable
 // out.
 std::vector<double> start_point(const StudySpec& spec);

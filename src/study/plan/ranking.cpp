@@ -35,8 +35,9 @@ double beam(const Json& result) {
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
 double half_width(const RankedDesign& row, const std::string& rank_by) {
   if (rank_by == "lindqvist_breaking") return 0.0;
-  return rank_by == "mean_load_per_beam" ? row.mean_load_ci95 / beam(row.evaluation.result)
-                                         : row.mean_load_ci95;
+  if (rank_by == "cycle_load") return row.cycle_ci95;
+  const double half = std::isfinite(row.difference_ci95) ? row.difference_ci95 : row.mean_load_ci95;
+  return rank_by == "mean_load_per_beam" ? half / beam(row.evaluation.result) : half;
 }
 
 // A record too short for an interval may hide any difference.
@@ -67,6 +68,8 @@ RankedDesign described(const std::vector<Evaluation>& runs, const std::string& r
   row.mean_load_ci95 = all.runs > 1 ? all.repeats : all.series;
   if (rank_by == "mean_load") row.value = row.mean_load;
   if (rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(result);
+  row.cycle_load = number(result, "/cycle/mean_load_N");
+  row.cycle_ci95 = number(result, "/cycle/mean_load_ci95_N");
   row.lindqvist_breaking = lindqvist_breaking(result);
   if (row.lindqvist_breaking > 0.0) row.ratio = row.mean_load / row.lindqvist_breaking;
   if (!std::isfinite(row.value) && row.evaluation.reason.empty())
@@ -173,6 +176,54 @@ void correlate(Ranking& ranking, std::size_t ranked) {
   ranking.spearman_n = static_cast<int>(loads.size());
 }
 
+Fidelities fidelities(const RankedDesign& row) {
+  Fidelities f;
+  f.design = row.evaluation.name, f.parameters = row.evaluation.parameters;
+  f.cycle = row.cycle_load, f.cycle_ci95 = row.cycle_ci95;
+  f.solver = row.solver_load, f.solver_ci95 = row.solver_ci95;
+  return f;
+}
+
+// Takes the simulations out of the rows and notes them with the designs they confirm.
+void take_confirmations(Ranking& ranking) {
+  std::map<std::string, RankedDesign> simulated;
+  for (const RankedDesign& row : ranking.rows)
+    if (is_confirmation(row.evaluation.name)) simulated[confirmed_design(row.evaluation.name)] = row;
+  if (simulated.empty()) return;
+  auto& rows = ranking.rows;
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [](const RankedDesign& row) { return is_confirmation(row.evaluation.name); }),
+             rows.end());
+  for (RankedDesign& row : rows) {
+    const auto found = simulated.find(row.evaluation.name);
+    if (found == simulated.end() || found->second.evaluation.status != EvaluationStatus::ok) continue;
+    row.solver_load = found->second.mean_load, row.solver_ci95 = found->second.mean_load_ci95;
+    row.runs = found->second.runs;
+  }
+}
+
+// The load of the cycle times the ratio of simulation and cycle, and the errors of both.
+void correct(Ranking& ranking) {
+  std::vector<Fidelities> all;
+  for (const RankedDesign& row : ranking.rows)
+    if (std::isfinite(row.cycle_load)) all.push_back(fidelities(row));
+  ranking.confirmed = fit_ratio(all);
+  if (ranking.confirmed.designs == 0) return;
+  ranking.disagreements = disagreements(ranking.confirmed, all);
+  for (RankedDesign& row : ranking.rows) {
+    if (!std::isfinite(row.cycle_load)) continue;
+    const auto& parameters = row.evaluation.parameters;
+    row.mean_load = row.cycle_load * ranking.confirmed.ratio(parameters);
+    row.mean_load_ci95 =
+        row.mean_load * std::hypot(row.cycle_ci95 / row.cycle_load, ranking.confirmed.half_width(parameters));
+    row.difference_ci95 = row.mean_load * std::hypot(row.cycle_ci95 / row.cycle_load,
+                                                     ranking.confirmed.half_width_of_difference(parameters));
+    if (ranking.rank_by == "mean_load") row.value = row.mean_load;
+    if (ranking.rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(row.evaluation.result);
+    if (row.lindqvist_breaking > 0.0) row.ratio = row.mean_load / row.lindqvist_breaking;
+  }
+}
+
 // Ranks from 1, equal values sharing the average of theirs.
 std::vector<double> average_ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
@@ -191,16 +242,30 @@ Json number_json(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json confirmed_json(const RatioFit& fit) {
+  if (fit.designs == 0) return nullptr;
+  return {{"designs", fit.designs},
+          {"ratio", number_json(std::exp(fit.constant))},
+          {"ratio_ln_standard_error", number_json(fit.constant_error)},
+          {"between_designs_ln", number_json(fit.between)},
+          {"variable", fit.variable},
+          {"slope_ln_per_unit", number_json(fit.slope)},
+          {"left_out_error_of_constant_ln", number_json(fit.error_of_constant)},
+          {"left_out_error_ln", number_json(fit.error)}};
+}
+
 }  // namespace
 
 double ranking_value(const Evaluation& e, const std::string& rank_by) {
-  if (rank_by != "mean_load" && rank_by != "mean_load_per_beam" && rank_by != "lindqvist_breaking") {
+  if (rank_by != "mean_load" && rank_by != "mean_load_per_beam" && rank_by != "cycle_load" &&
+      rank_by != "lindqvist_breaking") {
     throw InputError("cannot rank by \"" + rank_by +
-                     "\": allowed are mean_load, mean_load_per_beam, lindqvist_breaking");
+                     "\": allowed are mean_load, mean_load_per_beam, cycle_load, lindqvist_breaking");
   }
   if (e.status != EvaluationStatus::ok) return nan_value;
   if (rank_by == "mean_load") return mean_load(e.result);
   if (rank_by == "lindqvist_breaking") return lindqvist_breaking(e.result);
+  if (rank_by == "cycle_load") return number(e.result, "/cycle/mean_load_N");
   return mean_load(e.result) / beam(e.result);
 }
 
@@ -209,6 +274,8 @@ Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::stri
   ranking.rank_by = rank_by;
   for (const std::vector<Evaluation>& runs : by_design(evaluations))
     ranking.rows.push_back(described(runs, rank_by));
+  take_confirmations(ranking);
+  correct(ranking);
   std::stable_sort(ranking.rows.begin(), ranking.rows.end(), before);
   const auto ranked = static_cast<std::size_t>(std::count_if(
       ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) { return group(row) == 0; }));
@@ -216,6 +283,18 @@ Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::stri
   correlate(ranking, ranked);
   if (ranked > 0 && rank_by != "lindqvist_breaking") ranking.warnings = warnings(ranking, ranked);
   return ranking;
+}
+
+std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evaluations,
+                                            const StudySpec& spec) {
+  std::vector<Evaluation> swept;
+  for (const Evaluation& e : evaluations)
+    if (!is_confirmation(e.name)) swept.push_back(e);
+  const Ranking ranking = rank_designs(swept, spec.rank_by);
+  std::vector<Fidelities> ranked;
+  for (const RankedDesign& row : ranking.rows)
+    if (row.rank > 0 && std::isfinite(row.cycle_load)) ranked.push_back(fidelities(row));
+  return designs_to_confirm(ranked, spec.confirm.best, spec.confirm.spread);
 }
 
 double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y) {
@@ -243,6 +322,10 @@ Json to_json(const Ranking& ranking) {
                        {"runs", row.runs},
                        {"ci95_series_N", number_json(row.ci95_series)},
                        {"ci95_repeats_N", number_json(row.ci95_repeats)},
+                       {"cycle_load_N", number_json(row.cycle_load)},
+                       {"cycle_load_ci95_N", number_json(row.cycle_ci95)},
+                       {"solver_load_N", number_json(row.solver_load)},
+                       {"solver_load_ci95_N", number_json(row.solver_ci95)},
                        {"lindqvist_breaking_N", number_json(row.lindqvist_breaking)},
                        {"ratio", number_json(row.ratio)},
                        {"rank", row.rank},
@@ -252,6 +335,8 @@ Json to_json(const Ranking& ranking) {
   return {{"rank_by", ranking.rank_by},
           {"designs", designs},
           {"warnings", ranking.warnings},
+          {"disagreements", ranking.disagreements},
+          {"confirmed", confirmed_json(ranking.confirmed)},
           {"spearman", number_json(ranking.spearman)},
           {"spearman_n", ranking.spearman_n}};
 }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "study/evaluate/evaluation.h"
+#include "study/plan/confirmation.h"
+#include "study/spec/study_spec.h"
 
 namespace icebow {
 
@@ -22,6 +24,12 @@ struct RankedDesign {
   double mean_load_ci95 = std::numeric_limits<double>::quiet_NaN();
   double ci95_series = std::numeric_limits<double>::quiet_NaN();
   double ci95_repeats = std::numeric_limits<double>::quiet_NaN();
+  // By the breaking cycle [N]. Where designs were confirmed, mean_load is this times the ratio of simulation
+  // and cycle, its interval with both errors, and solver_load what was simulated (NaN: not).
+  double cycle_load = std::numeric_limits<double>::quiet_NaN(), cycle_ci95 = cycle_load;
+  double difference_ci95 =
+      std::numeric_limits<double>::quiet_NaN();  // where corrected: by which ties are told
+  double solver_load = std::numeric_limits<double>::quiet_NaN(), solver_ci95 = solver_load;
   double lindqvist_breaking = std::numeric_limits<double>::quiet_NaN();  //!< [N]
   double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / Lindqvist's breaking part
 };
@@ -32,17 +40,25 @@ struct Ranking {
   double spearman =
       std::numeric_limits<double>::quiet_NaN();  // of mean load and Lindqvist over the ranked designs
   int spearman_n = 0;
+  // Of a study that confirms designs by the simulation: `designs` is 0 where it has not, or not yet.
+  RatioFit confirmed;
+  std::vector<std::string> disagreements;  // of simulation and cycle; sentences
   // Where differences between designs are smaller than their intervals or the resolution bias; sentences.
   std::vector<std::string> warnings;
 };
 
-// What a study ranks by: "mean_load" [N], "mean_load_per_beam" [N/m], "lindqvist_breaking" [N], all full
-// scale. NaN where the evaluation is not ok or has no such number. Throws InputError for another word.
+// What a study ranks by: "mean_load" [N], "mean_load_per_beam" [N/m], "cycle_load" [N],
+// "lindqvist_breaking" [N], all full scale. NaN where the evaluation is not ok or has no such number. Throws
+// InputError for another word.
 double ranking_value(const Evaluation& evaluation, const std::string& rank_by);
 
 // Evaluations of one design's repeats (study/plan/repeats.h) make one row. An evaluation that is ok but has
 // no number to rank by is listed with the failed ones, with the reason.
 Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by);
+
+// The designs that a study's "confirm" asks to simulate, by the cycle's loads of its evaluations.
+std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evaluations,
+                                            const StudySpec& spec);
 
 // Spearman's rank correlation: Pearson's of the ranks, equal values sharing the average of their ranks
 // (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.

@@ -2,9 +2,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <thread>
 
 #include "base/errors.h"
+#include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
 #include "study/run/child_process.h"
 #include "study/run/runner.h"
@@ -73,8 +75,8 @@ class IsolatedRunner : public Runner {
   explicit IsolatedRunner(const RunnerContext& context)
       : context_(context), at_once_(static_cast<std::size_t>(jobs_at_once(context))) {}
 
-  bool has_room() const override { return jobs_.size() + done_.size() < at_once_; }
-  bool busy() const override { return !jobs_.empty() || !done_.empty(); }
+  bool has_room() const override { return jobs_.size() + quick_.size() + done_.size() < at_once_; }
+  bool busy() const override { return !jobs_.empty() || !quick_.empty() || !done_.empty(); }
   bool shares_crashes() const override { return false; }
   void start(const PlannedDesign& planned) override;
   std::vector<Evaluation> wait() override;
@@ -82,6 +84,9 @@ class IsolatedRunner : public Runner {
 
  private:
   bool is_infeasible(const Design& design) const;
+  bool is_quick(const Design& design) const;
+  Evaluation evaluated_here(const Design& design, const std::string& directory) const;
+  void take_quick(std::vector<Evaluation>& ended);
   std::vector<std::string> command(const Job& job) const;
   void listen(Job& job);
   Evaluation result_of(const Job& job) const;
@@ -90,6 +95,7 @@ class IsolatedRunner : public Runner {
   RunnerContext context_;
   std::size_t at_once_;
   std::vector<Job> jobs_;
+  std::vector<std::future<Evaluation>> quick_;  // designs without a simulation, in threads of this process
   std::vector<Evaluation> done_;
 };
 
@@ -97,13 +103,36 @@ bool IsolatedRunner::is_infeasible(const Design& design) const {
   return has_violated_margin(context_.settings.margins(read_case(design.document, design.name)));
 }
 
+// The cycle takes a second: a process of its own would cost as much again.
+bool IsolatedRunner::is_quick(const Design& design) const {
+  return asks_for(design.document, "cycle") && !asks_for(design.document, "peridynamics");
+}
+
+Evaluation IsolatedRunner::evaluated_here(const Design& design, const std::string& directory) const {
+  EvaluateOptions options;
+  options.directory = directory;
+  return context_.settings.evaluate(Communicator::serial(), design, options);
+}
+
+void IsolatedRunner::take_quick(std::vector<Evaluation>& ended) {
+  for (auto quick = quick_.begin(); quick != quick_.end();) {
+    const bool over = quick->wait_for(milliseconds(0)) == std::future_status::ready;
+    if (over) ended.push_back(quick->get());
+    quick = over ? quick_.erase(quick) : quick + 1;
+  }
+}
+
 // An impossible bow needs no process: evaluate() says so before there is a mesh, let alone a simulation.
 void IsolatedRunner::start(const PlannedDesign& planned) {
   Job job{planned.design, design_directory(context_.settings.directory, planned.design.name), nullptr};
   if (is_infeasible(job.design)) {
-    EvaluateOptions options;
-    options.directory = job.directory;
-    done_.push_back(context_.settings.evaluate(Communicator::serial(), job.design, options));
+    done_.push_back(evaluated_here(job.design, job.directory));
+    return;
+  }
+  if (is_quick(job.design)) {
+    quick_.push_back(std::async(std::launch::async, [this, design = job.design, directory = job.directory] {
+      return evaluated_here(design, directory);
+    }));
     return;
   }
   write_text_file(job.directory + "/design.json", json_text(to_json(job.design), 2) + "\n");
@@ -142,9 +171,15 @@ void IsolatedRunner::listen(Job& job) {
 std::vector<Evaluation> IsolatedRunner::wait() {
   std::vector<const ChildProcess*> children;
   for (const Job& job : jobs_) children.push_back(job.child.get());
-  if (done_.empty()) wait_for_output(children, moment);
+  const bool nothing_yet = done_.empty();
+  if (nothing_yet && !quick_.empty() && jobs_.empty()) {
+    quick_.front().wait_for(moment);
+  } else if (nothing_yet) {
+    wait_for_output(children, moment);
+  }
   std::vector<Evaluation> ended = std::move(done_);
   done_.clear();
+  take_quick(ended);
   const double limit = context_.spec.execution.time_limit_s;
   for (auto job = jobs_.begin(); job != jobs_.end();) {
     const bool running = job->child->running();
@@ -169,6 +204,8 @@ void IsolatedRunner::stop() {
     return any;
   };
   while (any_running()) std::this_thread::sleep_for(milliseconds(20));
+  for (std::future<Evaluation>& quick : quick_) quick.wait();
+  quick_.clear();
   jobs_.clear();
   done_.clear();
 }

@@ -1,5 +1,6 @@
 #include "study/run/run_study.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -35,6 +36,7 @@ class StudyLoop {
  private:
   void run_plan(const StudyPlan& plan);
   void run_optimiser();
+  void confirm();
   double value_at(const std::vector<double>& x);
   std::vector<double> margins_at(const std::vector<double>& x) const;
 
@@ -53,6 +55,7 @@ class StudyLoop {
   Runner& runner_;
   StudyObserver& observer_;
   std::map<std::string, PlannedDesign> under_way_;  // by name
+  std::map<std::string, Design> designs_;           // by key: as they were planned
   std::map<std::string, double> values_;            // by key: what this study has seen
   int numbered_ = 0;                                // designs named by the optimiser so far
   StudyOutcome outcome_;
@@ -65,6 +68,7 @@ StudyOutcome StudyLoop::run(std::vector<std::string> notes) {
   try {
     run_plan(plan);
     if (spec_.method.type == MethodType::optimise) run_optimiser();
+    if (spec_.confirm.given()) confirm();
   } catch (const Interrupted&) {
     abandon();
     outcome_.interrupted = true;
@@ -112,6 +116,22 @@ void StudyLoop::run_optimiser() {
                            " points: " + result.reason);
 }
 
+// The simulation of the best designs by the cycle and of some that are far from them.
+void StudyLoop::confirm() {
+  std::vector<PlannedDesign> runs;
+  const std::vector<Evaluation> evaluations = store_.all();
+  for (const std::string& name : designs_to_confirm(evaluations, spec_)) {
+    const auto found = std::find_if(evaluations.begin(), evaluations.end(),
+                                    [&](const Evaluation& e) { return e.name == name; });
+    for (PlannedDesign& run : confirmations(spec_, designs_.at(found->key))) runs.push_back(std::move(run));
+  }
+  StudyPlan plan;
+  for (const PlannedDesign& run : runs) store_.add_to_study(run.key);
+  plan.designs = runs;
+  test_lattices(simulated_cases(plan));
+  evaluate_all(runs);
+}
+
 // A point the study has met already, the baseline for one, keeps the name it has.
 double StudyLoop::value_at(const std::vector<double>& x) {
   const std::vector<PlannedDesign> runs = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
@@ -139,6 +159,7 @@ std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) const {
 // For each proposed design: take the stored evaluation of its key, or evaluate and store.
 void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
   auto next = designs.begin();
+  for (const PlannedDesign& planned : designs) designs_[planned.key] = planned.design;
   while (next != designs.end() || runner_.busy()) {
     if (stopped()) throw Interrupted();
     while (next != designs.end() && runner_.has_room()) {

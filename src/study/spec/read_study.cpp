@@ -14,18 +14,35 @@ namespace icebow {
 namespace {
 
 void check_ranking(const StudySpec& spec, const Section& ranking, Mistakes& mistakes) {
-  const bool formula = spec.rank_by == "lindqvist_breaking";
-  if (formula ? spec.use_lindqvist : spec.use_peridynamics) return;
+  const bool formula = spec.rank_by == "lindqvist_breaking", cycle = spec.rank_by == "cycle_load";
+  if (formula ? spec.use_lindqvist : spec.use_cycle || (!cycle && spec.use_peridynamics)) return;
   mistakes.push_back({ranking.pointer("by"), std::string("is \"") + spec.rank_by + "\", which needs \"" +
-                                                 (formula ? "lindqvist" : "peridynamics") +
-                                                 "\" in /evaluators"});
+                                                 (formula ? "lindqvist\""
+                                                  : cycle ? "cycle\""
+                                                          : "cycle\" or \"peridynamics\"") +
+                                                 " in /evaluators"});
 }
 
 void check_repeats(const StudySpec& spec, Mistakes& mistakes) {
-  if (spec.repeats <= 1 || spec.use_peridynamics) return;
-  mistakes.push_back({"/repeats", "is " + std::to_string(spec.repeats) +
-                                      ", but a formula gives the same each time: drop it, or add "
-                                      "\"peridynamics\" to /evaluators"});
+  if (spec.repeats <= 1 || spec.use_peridynamics || spec.confirm.given()) return;
+  mistakes.push_back(
+      {"/repeats", "is " + std::to_string(spec.repeats) +
+                       ", but without \"peridynamics\" in /evaluators each time gives the "
+                       "same: drop it, or add \"peridynamics\"; the cycle has /cycle/voyages"});
+}
+
+// With "confirm" the sweep is the cycle's, and the simulation of what is confirmed is understood.
+void read_confirm(const Json& document, StudySpec& spec, bool evaluators_known, Mistakes& mistakes) {
+  const Section confirm(document, "confirm", 1.0, mistakes);
+  if (!document.contains("confirm")) return;
+  spec.confirm = {confirm.integer("best"), confirm.integer("spread")};
+  if (confirm.good() && !spec.confirm.given())
+    mistakes.push_back(
+        {"/confirm", "confirms no design: \"best\" and \"spread\" are 0; drop it, or give one"});
+  if (evaluators_known && !spec.use_cycle)
+    mistakes.push_back(
+        {"/confirm", "needs \"cycle\" in /evaluators: the simulation confirms designs of the cycle"});
+  spec.use_peridynamics = false;
 }
 
 void check_not_empty(const StudySpec& spec, Mistakes& mistakes) {
@@ -51,10 +68,12 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   const std::size_t before = mistakes.size();
   parse_evaluators(document, spec, mistakes);
   const bool evaluators_known = mistakes.size() == before;
+  read_confirm(document, spec, evaluators_known, mistakes);
   spec.designs = parse_designs(document, mistakes);
   spec.method = parse_method(document, mistakes);
   const Section ranking(document, "ranking", 1.0, mistakes);
-  spec.rank_by = ranking.text("by", spec.use_peridynamics ? "mean_load" : "lindqvist_breaking");
+  spec.rank_by =
+      ranking.text("by", spec.use_peridynamics || spec.use_cycle ? "mean_load" : "lindqvist_breaking");
   if (ranking.good() && evaluators_known) check_ranking(spec, ranking, mistakes);
   const Section execution(document, "execution", 1.0, mistakes);
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),

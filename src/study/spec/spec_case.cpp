@@ -17,7 +17,7 @@ constexpr double most_particles = 2e9;
 
 struct Sections {
   Mistakes of_no_bow;  // what a hull of the user's own makes up for
-  Section bow, ice, water, sheet, operation, solver;
+  Section bow, ice, water, sheet, operation, solver, cycle;
 
   Sections(const Json& d, double lambda, Mistakes& m)
       : bow(d, "bow", lambda, d.contains("hull") ? of_no_bow : m),
@@ -25,7 +25,8 @@ struct Sections {
         water(d, "water", lambda, m),
         sheet(d, "sheet", lambda, m),
         operation(d, "operation", lambda, m),
-        solver(d, "solver", lambda, m) {}
+        solver(d, "solver", lambda, m),
+        cycle(d, "cycle", lambda, m) {}
 };
 
 double lambda_of(const Json& document, Mistakes& mistakes) {
@@ -148,6 +149,29 @@ void read_contact(const Section& solver, Section& ice, Case& c) {
   c.ice.crushing_pressure = c.compressive_strength;
 }
 
+std::uint64_t seed_of(const Section& s) {
+  const double seed = s.number("seed");
+  return std::isnan(seed) ? 0 : static_cast<std::uint64_t>(seed);
+}
+
+CycleSettings read_cycle(const Section& s, const Case& c) {
+  CycleSettings cycle;
+  const std::string rule = s.text("breaking", "literature");
+  cycle.rule.type = rule == "plate"        ? cycle::Breaking::plate
+                    : rule == "calibrated" ? cycle::Breaking::calibrated
+                                           : cycle::Breaking::literature;
+  cycle.rule.C = s.number("capacity"), cycle.rule.C_l = s.number("cusp"),
+  cycle.rule.C_v = s.number("cusp_change_s_m");
+  const double usual =
+      c.compressive_strength > 0.0 ? c.compressive_strength : usual_compressive * c.flexural_strength;
+  cycle.crushing_pressure = given_or(s, "crushing_pressure", usual);
+  cycle.voyage = s.number("voyage"), cycle.voyages = s.integer("voyages"), cycle.seed = seed_of(s);
+  cycle.scatter = s.number("scatter"), cycle.step = s.number("step"), cycle.raster = s.number("raster");
+  cycle.symmetric = s.boolean("symmetric"), cycle.submersion = s.boolean("submersion");
+  cycle.submersion_by_hull = s.text("submersion_by", "hull") != "lindqvist";
+  return cycle;
+}
+
 // Lengths not given follow from the ship: see docs/study_file.md, "Defaults in terms of the ship".
 void read_operation_and_sheet(const Section& operation, const Section& sheet, Case& c) {
   c.V = operation.number("speed");
@@ -261,8 +285,8 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
   read_contact(s.solver, s.ice, c);
-  const double seed = s.solver.number("seed");
-  c.seed = std::isnan(seed) ? 0 : static_cast<std::uint64_t>(seed);
+  c.seed = seed_of(s.solver);
+  c.cycle = read_cycle(s.cycle, c);
   const Section output(document, "output", c.lambda, mistakes);
   c.snapshots = output.integer("snapshots");
   c.pictures = output.integer("pictures");

@@ -131,10 +131,10 @@ std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes)
 void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes) {
   if (!document.contains("evaluators")) return;
   const Json& list = document.at("evaluators");
-  const std::vector<std::string> known = {"lindqvist", "peridynamics"};
+  const std::vector<std::string> known = {"lindqvist", "cycle", "peridynamics"};
   if (!list.is_array() || list.empty()) {
     mistakes.push_back(
-        {"/evaluators", "is " + shown(list) + ", must be a list of one or both of " + listed(known)});
+        {"/evaluators", "is " + shown(list) + ", must be a list of one or more of " + listed(known)});
     return;
   }
   std::set<std::string> given;
@@ -149,6 +149,7 @@ void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes)
     }
   }
   spec.use_lindqvist = given.count("lindqvist") > 0;
+  spec.use_cycle = given.count("cycle") > 0;
   spec.use_peridynamics = given.count("peridynamics") > 0;
 }
 

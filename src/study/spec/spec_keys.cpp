@@ -97,6 +97,21 @@ const std::vector<Key> table = {
   {"solver", "floe_contact", Quantity::boolean, 0, 0, false, 0, "false", "pieces of ice push back what they meet; false: they pass through each other", {}},
   {"solver", "seed", Quantity::integer, 0, any, false, 0, "0", "start of the random numbers by which the ice has small velocities of its own when the run begins, so that runs with different seeds break differently; 0 = at rest", {}},
 
+  {"cycle", "breaking", Quantity::choice, 0, 0, false, none, "literature", "how an edge breaks: by the numbers of ship simulators, by plate theory, or by patch tests of this study's own ice (docs/cycle.md)", {"literature", "plate", "calibrated"}},
+  {"cycle", "voyage", Quantity::length, 1, 20000, false, 200, "200 m full scale", "length of each voyage, counted from where the bow has entered", {}},
+  {"cycle", "voyages", Quantity::integer, 1, 1000, false, 3, "3", "voyages, with the seeds counted up; the mean load is theirs", {}},
+  {"cycle", "seed", Quantity::integer, 0, any, false, 1, "1", "seed of the first voyage: of the scatter of its pieces", {}},
+  {"cycle", "scatter", Quantity::number, 0, 0.9, false, 0.3, "0.3", "the pieces' radii vary evenly by this part either way; 0 locks them into a pattern", {}},
+  {"cycle", "crushing_pressure", Quantity::stress, 100, 1e9, false, none, "ice.compressive_strength, or 3 flexural_strength", "pressure at which the hull crushes the edge", {}},
+  {"cycle", "capacity", Quantity::number, 0.05, 20, false, 0.8, "0.8", "literature: load that breaks an edge, over flexural strength x thickness^2", {}},
+  {"cycle", "cusp", Quantity::number, 0.05, 3, false, 0.32, "0.32", "literature: radius of the pieces at rest over the characteristic length", {}},
+  {"cycle", "cusp_change_s_m", Quantity::number, -5, 0, false, -0.14, "-0.14", "literature: relative change of the radius with the hull's normal speed [s/m]", {}},
+  {"cycle", "symmetric", Quantity::boolean, 0, 0, false, 0, "false", "the port half and its mirror image instead of the whole ship", {}},
+  {"cycle", "submersion", Quantity::boolean, 0, 0, false, 1, "true", "add what the broken ice costs on its way under and round the hull; false: breaking alone", {}},
+  {"cycle", "submersion_by", Quantity::choice, 0, 0, false, none, "hull", "along the hull's own surface, or by Lindqvist's formula with its speed factor", {"hull", "lindqvist"}},
+  {"cycle", "step", Quantity::number, 0.002, 0.2, false, 0.04, "0.04", "step of the way over the thickness", {}},
+  {"cycle", "raster", Quantity::number, 0.02, 0.5, false, 1.0 / 7, "1/7", "width of the ice's strips along the waterline over the thickness", {}},
+
   {"output", "snapshots", Quantity::integer, 0, 10000, false, 0, "0", "ParaView snapshots of each run", {}},
   {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},
   {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
@@ -108,7 +123,10 @@ const std::vector<Key> table = {
   {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many designs", {}},
   {"method", "tolerance", Quantity::number, 0, 0.5, false, 0.01, "0.01", "optimise: stop when the parameters move less than this part of their range", {}},
 
-  {"ranking", "by", Quantity::choice, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better", {"mean_load", "mean_load_per_beam", "lindqvist_breaking"}},
+  {"confirm", "best", Quantity::integer, 0, 1000, false, 3, "3", "simulate so many of the best designs by the cycle (docs/cycle.md, \"Two fidelities\")", {}},
+  {"confirm", "spread", Quantity::integer, 0, 1000, false, 2, "2", "and so many far from those in the variables, the baseline first: the ratio of simulation and cycle is fitted over both", {}},
+
+  {"ranking", "by", Quantity::choice, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle", {"mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"}},
 
   {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
   {"execution", "designs_at_once", Quantity::integer, 0, 4096, false, 0, "0", "designs that run side by side; 0 = as many as the ranks or cores allow", {}},
@@ -227,20 +245,20 @@ std::string range_in_words(const Key& key, const Unit& unit) {
 }
 
 bool section_has_scale(const std::string& section) {
-  static const std::vector<std::string> with = {"bow", "ice", "sheet", "operation", "solver"};
+  static const std::vector<std::string> with = {"bow", "ice", "sheet", "operation", "solver", "cycle"};
   return std::find(with.begin(), with.end(), section) != with.end();
 }
 
 const std::vector<std::string>& design_sections() {
-  static const std::vector<std::string> sections = {"bow",   "hull",      "ice",   "water",
-                                                    "sheet", "operation", "solver"};
+  static const std::vector<std::string> sections = {"bow",   "hull",      "ice",    "water",
+                                                    "sheet", "operation", "solver", "cycle"};
   return sections;
 }
 
 const std::vector<std::string>& structural_keys() {
-  static const std::vector<std::string> keys = {"bow",       "hull",    "ice",      "water",      "sheet",
-                                                "operation", "solver",  "output",   "evaluators", "designs",
-                                                "method",    "ranking", "execution"};
+  static const std::vector<std::string> keys = {"bow",       "hull",   "ice",     "water",   "sheet",
+                                                "operation", "solver", "cycle",   "output",  "evaluators",
+                                                "designs",   "method", "confirm", "ranking", "execution"};
   return keys;
 }
 

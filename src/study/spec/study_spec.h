@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/json.h"
+#include "cycle/cycle_input.h"
 #include "hullgen/bow/bow.h"
 #include "solver/model/scenario.h"
 #include "solver/model/snapshot_format.h"
@@ -14,6 +15,21 @@
 namespace icebow {
 
 enum class IceModel { paper, calibrated };  // docs/study_file.md, "Ice by its tests"
+
+// Of the evaluator "cycle", full scale: docs/cycle.md.
+struct CycleSettings {
+  cycle::BreakingRule rule;        // its table is found by patch tests
+  double crushing_pressure = 0.0;  //!< [Pa]
+  double voyage = 200.0;           //!< counted length of each [m]
+  int voyages = 3;                 // with different seeds
+  std::uint64_t seed = 1;
+  double scatter = 0.3;     // of the pieces' radii
+  double step = 0.04;       // over the thickness
+  double raster = 1.0 / 7;  // over the thickness
+  bool symmetric = false;
+  bool submersion = true;
+  bool submersion_by_hull = true;  // else by Lindqvist's formula
+};
 
 // One fully described ship in one ice: what an evaluation needs, and nothing else.
 struct Case {
@@ -34,6 +50,7 @@ struct Case {
   std::uint64_t seed = 0;             // of the ice's start; 0 = at rest
   int snapshots = 0, pictures = 0;
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
+  CycleSettings cycle;
 };
 
 enum class MethodType { list, grid, latin_hypercube, optimise };
@@ -62,6 +79,12 @@ struct NamedDesign {
   Json set;
 };
 
+// Designs swept by the cycle that the simulation confirms; both 0: none.
+struct Confirm {
+  int best = 0, spread = 0;
+  bool given() const { return best + spread > 0; }
+};
+
 struct Execution {
   int ranks_per_design = 1;
   int designs_at_once = 0;    // 0 = cores / ranks_per_design
@@ -72,12 +95,13 @@ struct StudySpec {
   std::string file, name, purpose;
   Json document;  // as read: named designs and variables are applied to it
   Case baseline;
-  bool use_lindqvist = true, use_peridynamics = true;
+  bool use_lindqvist = true, use_cycle = false, use_peridynamics = true;
   Method method;
   std::vector<NamedDesign> designs;
   bool include_baseline = true;
   int repeats = 1;                    // simulations of each design, with different seeds
-  std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "lindqvist_breaking"
+  std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"
+  Confirm confirm;                    // use_peridynamics is false then: the sweep is the cycle's
   Execution execution;
 };
 

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "formula/lindqvist.h"
+#include "study/evaluate/evaluator_inputs.h"
 #include "study/spec/spec_case.h"
 #include "tests/support/fake_study.h"
 #include "tests/support/main.h"
@@ -138,4 +140,52 @@ TEST_CASE("a directory that cannot be written is the machine's fault, on every r
   EvaluateOptions options;
   options.directory = "/proc/no/such/place";
   CHECK_THROWS_AS(evaluated("{}", options), RuntimeError);
+}
+
+TEST_CASE("the breaking cycle alone has the fields of a simulation, the same on every rank") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "designs/one");
+  const char* quick = R"({"evaluators": ["lindqvist", "cycle"], "ice": {"flexural_strength_kPa": 863},
+    "cycle": {"voyage_m": 40, "voyages": 2}})";
+  const Evaluation e = evaluated(quick, options);
+  INFO(e.reason);
+  REQUIRE(e.status == EvaluationStatus::ok);
+  CHECK(json_text(to_json(e)) == test_world().broadcast(json_text(to_json(e))));
+  const Json &r = e.result, &cycle = r.at("cycle");
+  const double mean = cycle.at("mean_load_N").get<double>();
+  double parts = 0.0;
+  for (const char* part : {"crushing_N", "bending_N", "friction_N", "submersion_N", "water_N"})
+    parts += cycle.at(part).get<double>();
+  CHECK(parts == Approx(mean).epsilon(1e-9));
+  CHECK(r.at("metrics").at("full_scale").at("mean_load_N").get<double>() == mean);
+  CHECK(r.at("metrics").at("mean_load_N").get<double>() == mean);  // it is run at full scale
+  CHECK(r.at("metrics") == cycle.at("metrics"));
+  CHECK(r.at("process").at("breaking_length").at("cracks").get<int>() > 0);
+  CHECK(r.at("simulation").is_null());
+  if (test_world().is_root()) {
+    CHECK(exists(options.directory + "/voyage.svg"));
+    CHECK(exists(options.directory + "/history.csv"));
+  }
+}
+
+TEST_CASE("submersion is left out, or by the formula, where the study says so") {
+  const auto load = [](const std::string& more) {
+    const Evaluation e =
+        evaluated(R"({"evaluators": ["cycle"], "cycle": {"voyage_m": 30, "voyages": 1, )" + more + "}}");
+    REQUIRE(e.status == EvaluationStatus::ok);
+    return e.result.at("cycle");
+  };
+  const Json alone = load(R"("submersion": false)"), formula = load(R"("submersion_by": "lindqvist")");
+  CHECK(alone.at("submersion_N") == 0.0);
+  const LindqvistResult lindqvist_says = lindqvist(lindqvist_inputs(read_case(design_of("{}").document, "")));
+  CHECK(formula.at("mean_load_N").get<double>() - alone.at("mean_load_N").get<double>() ==
+        Approx(lindqvist_says.total - lindqvist_says.breaking));
+}
+
+TEST_CASE("a hull that does not reach the ice is a failed design with one sentence") {
+  const Evaluation e =
+      evaluated(R"({"evaluators": ["cycle"], "ice": {"thickness_m": 10}, "bow": {"draft_m": 5}})");
+  CHECK(e.status == EvaluationStatus::failed);
+  CHECK(e.reason.find("the hull does not go through the ice") == 0);
 }

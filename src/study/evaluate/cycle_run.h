@@ -1,0 +1,46 @@
+// The evaluator "cycle": voyages of a design through level ice by src/cycle. Full scale.
+#pragma once
+
+#include <string>
+
+#include "base/json.h"
+#include "cycle/submersion.h"
+#include "cycle/voyage.h"
+#include "solver/run/simulation.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+struct CycleOutcome {
+  std::string reason;    // why there is no load; empty where there is one
+  double mean = 0.0;     //!< of the voyages' mean loads, with submersion [N]
+  double series = 0.0;   //!< half width of its 95 % interval, from the records [N]
+  double voyages = 0.0;  //!< the same from the scatter of the voyages, Student's t; infinite for one [N]
+  double ci95 = 0.0;     //!< the first, or the larger of both where there are four voyages or more [N]
+  // Parts of the mean, that add up to it [N].
+  double crushing = 0.0, bending = 0.0, friction = 0.0, submersion = 0.0, water = 0.0;
+  double breaking_length = 0.0;  //!< mean of the pieces' radii [m]
+  double contact_width = 0.0;    //!< mean of the pieces' contacts along the edge [m]
+  double channel_width = 0.0;    //!< [m]
+  int pieces = 0;
+  double seconds = 0.0;              // of computing
+  cycle::Submersion under_hull;      // zero where it is left out or by the formula
+  cycle::VoyageResult first_voyage;  // with shapes, for a picture
+  RunResult
+      run;  // metrics, history and process as a simulation's, at full scale; the record is the first voyage's
+};
+
+cycle::Ice cycle_ice(const Case& c);
+cycle::Voyage cycle_voyage(const Case& c);
+
+// `rule` is the case's, with its table where it is calibrated. Never throws for a case or hull that makes no
+// voyage.
+CycleOutcome run_cycle(const Case& c, const QuadMesh& hull, const cycle::BreakingRule& rule);
+
+// "metrics" as those of a simulation, at full scale.
+Json cycle_metrics_json(const CycleOutcome& outcome);
+
+// The key "cycle" of result.json: docs/study_file.md, "Results".
+Json cycle_json(const CycleOutcome& outcome, const Case& c, const cycle::BreakingRule& rule);
+
+}  // namespace icebow
