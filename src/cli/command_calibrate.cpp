@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/units.h"
+#include "cli/calibrate_cycle.h"
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
@@ -212,6 +213,7 @@ std::string for_people(const Comparison& c, const std::string& design) {
 
 int run_calibrate(const Communicator&, const Arguments& arguments) {
   const ChosenDesign chosen = choose_design(load_study(arguments), arguments);
+  if (arguments.has("--cycle")) return calibrate_cycle(chosen, arguments.has("--json"));
   const Comparison c = compare(chosen, arguments.has("--in-situ"));
   if (arguments.has("--json")) {
     std::cout << to_json(c, chosen.design.name).dump(2) << "\n";

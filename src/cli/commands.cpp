@@ -84,6 +84,9 @@ const std::vector<Command>& commands() {
         design,
         {"--in-situ", "",
          "beams cut into the floating sheet too: half a minute with 3 layers, minutes with more"},
+        {"--cycle", "",
+         "instead: press the sheet's edge down over 1, 2, 4, 8 h at three speeds, for the breaking cycle; "
+         "minutes, once"},
         json},
        false,
        run_calibrate},

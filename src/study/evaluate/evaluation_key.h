@@ -14,10 +14,11 @@ std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynam
 // One line a field: the result version first, then the exact bits of the case, its name left out.
 std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics, bool use_cycle = false);
 
-// Whether a study document asks for "lindqvist", "cycle" or "peridynamics": the first and the last where
-// it has no "evaluators".
-std::string evaluation_key(const Case& c, const Json& document);  // by the document's evaluators
+// By the document's evaluators.
+std::string evaluation_key(const Case& c, const Json& document);
 
+// Whether a study document asks for "lindqvist", "cycle" or "peridynamics": the first and the last where it
+// has no "evaluators".
 bool asks_for(const Json& document, const std::string& evaluator);
 
 }  // namespace icebow

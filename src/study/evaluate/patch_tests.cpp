@@ -13,6 +13,7 @@
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
 #include "study/evaluate/cycle_run.h"
+#include "study/evaluate/evaluation_key.h"
 
 namespace icebow {
 namespace {
@@ -61,6 +62,7 @@ QuadMesh plate(double width, double deep, double high, double length) {
 // The case's ice and solver, its ship and sheet replaced by the test's.
 Case test_case(const Case& c, double width_h, double edge_speed) {
   Case t = c;
+  t.bow = BowParameters(), t.own = OwnHull();
   const double l = cycle_ice(c).characteristic_length(), h = c.ice.h;
   t.V = edge_speed / std::tan(slope);
   t.advance = way_h * h;
