@@ -18,3 +18,13 @@ function(icebow_library name)
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC icebow_flags ${ARG_LINKS} PRIVATE ${ARG_USES})
 endfunction()
+
+# icebow_plugin(name SOURCES ... USES libraries ... FOR library): a shared library beside the program that
+# base/plugin.h loads, with the libraries nothing else needs. Built with `library`, whose functions load it.
+function(icebow_plugin name)
+  cmake_parse_arguments(ARG "" "FOR" "SOURCES;USES" ${ARGN})
+  add_library(${name} MODULE ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/src/base/errors.cpp)
+  target_link_libraries(${name} PRIVATE icebow_flags Eigen3::Eigen nlohmann_json::nlohmann_json ${ARG_USES})
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_dependencies(${ARG_FOR} ${name})
+endfunction()

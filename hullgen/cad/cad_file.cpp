@@ -182,4 +182,10 @@ double write_cad(const std::string& path, const HullSurfaces& hull, const std::s
   }
 }
 
+// For plugin_function().
+extern "C" double icebow_write_cad(const std::string& path, const HullSurfaces& hull,
+                                   const std::string& name) {
+  return write_cad(path, hull, name);
+}
+
 }  // namespace icebow

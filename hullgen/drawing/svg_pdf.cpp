@@ -50,4 +50,9 @@ void write_pdf(const std::string& path, const std::string& svg, const std::strin
   if (status != CAIRO_STATUS_SUCCESS) throw RuntimeError(path + ": " + cairo_status_to_string(status));
 }
 
+// For plugin_function().
+extern "C" void icebow_write_pdf(const std::string& path, const std::string& svg, const std::string& title) {
+  write_pdf(path, svg, title);
+}
+
 }  // namespace icebow

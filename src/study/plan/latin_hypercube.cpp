@@ -1,4 +1,4 @@
-// The one file that includes OpenTURNS.
+// The one file that includes OpenTURNS; loaded with it when points are first asked for.
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/GeometricProfile.hxx>
 #include <openturns/LHSExperiment.hxx>
@@ -14,7 +14,8 @@ namespace icebow {
 
 // SpaceFillingPhiP is the smooth form of the smallest distance (Morris and Mitchell 1995), what annealing can
 // follow.
-std::vector<std::vector<double>> latin_hypercube(int dimension, int n, std::uint64_t seed) {
+extern "C" void icebow_latin_hypercube(int dimension, int n, std::uint64_t seed,
+                                       std::vector<std::vector<double>>& points) {
   OT::Log::Show(OT::Log::NONE);
   OT::RandomGenerator::SetSeed(seed);
   const OT::ComposedDistribution cube(
@@ -22,13 +23,12 @@ std::vector<std::vector<double>> latin_hypercube(int dimension, int n, std::uint
   OT::LHSExperiment shuffled(cube, n, /*alwaysShuffle*/ true, /*randomShift*/ true);
   OT::Sample sample =
       n > 1 ? OT::SimulatedAnnealingLHS(shuffled, OT::SpaceFillingPhiP()).generate() : shuffled.generate();
-  std::vector<std::vector<double>> points;
+  points.clear();
   for (OT::UnsignedInteger i = 0; i < sample.getSize(); ++i) {
     std::vector<double> point;
     for (OT::UnsignedInteger k = 0; k < sample.getDimension(); ++k) point.push_back(sample(i, k));
     points.push_back(point);
   }
-  return points;
 }
 
 }  // namespace icebow
