@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "solver/lattice/lattice.h"
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
 #include "study/spec/case_hull.h"
@@ -81,6 +82,23 @@ std::string operation_line(const Case& c) {
          " m on (full scale; simulated at 1:" + brief(c.lambda) + ")\n";
 }
 
+// Rows are computed in blocks: what the last block lacks of them is paid for, and a window is made to fill
+// it.
+std::string block_line(const Scenario& s, const RunSize& size, double lambda) {
+  const double dx = s.numerics.dx;
+  const auto asked = static_cast<int>(std::lround(s.sheet.length / dx));
+  const int filled = (size.nx + block - 1) / block * block;
+  const auto metres = [&](int particles) { return decimals(particles * dx * lambda, 2) + " m"; };
+  if (asked != size.nx) {
+    return "  the window is " + metres(size.nx) + " long, not " + metres(asked) + ": it moves by blocks of " +
+           std::to_string(block) + " particles\n";
+  }
+  if (filled == size.nx) return "";
+  return "  along the course the last block of " + std::to_string(block) + " particles has " +
+         std::to_string(block - (filled - size.nx)) + " of them: a sheet of " + metres(filled) +
+         " takes as long, one of " + metres(filled - block) + " less\n";
+}
+
 // The size of one run, of the file's own design; a bow that cannot be made, or a run that cannot, is said in
 // words.
 std::string size_line(const Case& c) {
@@ -92,7 +110,8 @@ std::string size_line(const Case& c) {
   return "one run: " + std::to_string(size.nx) + " x " + std::to_string(size.ny) + " x " +
          std::to_string(size.nz) + " = " + decimals(particles, 0) + " particles" +
          (scenario.sheet.half_model ? " (port half), " : ", ") + std::to_string(size.steps) + " steps of " +
-         brief(size.dt) + " s (stability limit " + brief(size.dt_limit) + " s)\n";
+         brief(size.dt) + " s (stability limit " + brief(size.dt_limit) + " s)\n" +
+         block_line(scenario, size, c.lambda);
 }
 
 }  // namespace

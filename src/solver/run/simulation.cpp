@@ -163,6 +163,7 @@ class Loop {
     RunState state{stepper, recorder, snapshots, process};
     Checkpoints checkpoints(comm_, hull_, s_, options_);
     checkpoints.resume(state);
+    const std::int64_t first_step = stepper.steps();
     stepper.timer().start();
     last_report_ = Clock::now();
     start_ = last_report_ -
@@ -199,6 +200,7 @@ class Loop {
     stepper.timer().lap(Phase::other);
     result_.wall_seconds = seconds_since(start_);
     result_.profile = profile_of(comm_, stepper.timer());
+    result_.profiled_steps = stepper.steps() - first_step;
     result_.linear_share = mean_linear_share();
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)

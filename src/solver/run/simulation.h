@@ -32,10 +32,11 @@ struct RunResult {
   std::int64_t directed_bonds = 0;  // simulated; without those across a half model's plane
   std::int64_t steps = 0;
   double wall_seconds = 0.0, ns_per_bond = 0.0;
-  Profile profile;                      // where the wall time went
-  double linear_share = 0.0;            // of the blocks, mean of the samples: ice of the linear law
-  double output_seconds = 0.0;          // of the wall time, since the run was started: files and pictures
-  std::vector<std::string> pictures;    // file names in the directory, in order
+  Profile profile;                    // where the wall time went
+  std::int64_t profiled_steps = 0;    // that the profile is of: those since the run was started or continued
+  double linear_share = 0.0;          // of the blocks, mean of the samples: ice of the linear law
+  double output_seconds = 0.0;        // of the wall time, since the run was started: files and pictures
+  std::vector<std::string> pictures;  // file names in the directory, in order
   std::vector<double> picture_advance;  //!< [m]
 };
 

@@ -148,7 +148,7 @@ Json ended_json(const RunResult& run) {
 Json profile_json(const RunResult& run) {
   double total = 0.0;
   for (const PhaseTime& p : run.profile) total += p.mean;
-  const double ms = run.steps > 0 ? 1e3 / static_cast<double>(run.steps) : 0.0;
+  const double ms = run.profiled_steps > 0 ? 1e3 / static_cast<double>(run.profiled_steps) : 0.0;
   Json json = Json::array();
   for (const PhaseTime& p : run.profile) {
     json.push_back({{"phase", p.phase},
