@@ -21,6 +21,8 @@ const char* to_string(IceState state);
 // Throws InputError.
 IceState ice_state(const std::string& name);
 
+constexpr double still_step = 1e-9;  //!< too short for anything to move far: a state stays [s]
+
 // A sheet all of whose blocks are in one state, in small motion. Nothing breaks.
 Scenario slab_scenario(int nx, int ny, int nz, IceState state);
 void put_into(IceSheet& sheet, IceState state);

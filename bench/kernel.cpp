@@ -2,11 +2,13 @@
 // breakage on.
 //
 //   bench/kernel [--json] [--steps N] [--nx N --ny N --nz N] [--along-x RANKS] [--fp64] [--full-law]
-//                                                                                also under mpirun -n N
+//                [--state linear|calm|intact|touched|stress]                     also under mpirun -n N
 //   bench/kernel --machine                                                         only what it runs on
 //
 // The slab vibrates freely (a smooth initial velocity), so no value is trivial; nothing breaks, and all of it
 // stays below the displacement gradient where the bond law is linearised. --full-law: no block is linear.
+// --state: all ice in one state (bench/block_states.h), one rank. ICEBOW_KERNEL names another vector width
+// than the widest.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,8 +17,10 @@
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "base/communicator.h"
+#include "bench/block_states.h"
 #include "bench/machine.h"
 #include "solver/ice/sheet.h"
 #include "solver/ice/step_schedule.h"
@@ -30,6 +34,7 @@ struct Options {
   bool json = false, machine = false, fp64 = false, full_law = false;
   int steps = 60, nx = 500, ny = 250, nz = 3;
   int along_x = 0;  // ranks along x; 0 = the smallest halo
+  std::string state;
 };
 
 Options parse(int argc, char** argv) {
@@ -44,6 +49,7 @@ Options parse(int argc, char** argv) {
     if (!std::strcmp(argv[a], "--fp64")) o.fp64 = true;
     if (!std::strcmp(argv[a], "--full-law")) o.full_law = true;
     if (!std::strcmp(argv[a], "--machine")) o.machine = true;
+    if (!std::strcmp(argv[a], "--state") && a + 1 < argc) o.state = argv[++a];
     for (const auto& number : numbers)
       if (!std::strcmp(argv[a], number.name) && a + 1 < argc) *number.value = std::atoi(argv[++a]);
   }
@@ -52,9 +58,11 @@ Options parse(int argc, char** argv) {
 
 Scenario slab(const Options& o) {
   Scenario s;
+  if (!o.state.empty()) s = slab_scenario(o.nx, o.ny, o.nz, ice_state(o.state));
   s.numerics.dx = 0.013;
   if (o.fp64) s.numerics.precision = Precision::fp64;
   if (o.full_law) s.numerics.linear_below = 0.0;
+  if (!o.state.empty()) return s;
   s.ice = {o.nz * s.numerics.dx, 826.6, 52e6, 0.33, 0.0052, 0.0};
   s.sheet = {o.nx * s.numerics.dx, o.ny * s.numerics.dx, FixedEdges::sides};
   return s;
@@ -82,7 +90,12 @@ void run(const Communicator& comm, const Options& options) {
   DriftSettings drift{};
   drift.dt = 0.8 * limit;
   drift.inverse_dx = 1.0 / lattice.dx;
-  excite(sheet);
+  if (options.state.empty()) {
+    excite(sheet);
+  } else {
+    put_into(sheet, ice_state(options.state));
+    drift.dt = still_step;
+  }
 
   PhaseTimer timer;
   StepSchedule schedule(comm, sheet, timer);
@@ -130,7 +143,7 @@ void run(const Communicator& comm, const Options& options) {
                                 {"linear_share", sheet.linear_share()},
                                 {"kernel", sheet.kernel.name},
                                 {"precision", options.fp64 ? "fp64" : "fp32"},
-                                {"dt_s", 0.8 * limit},
+                                {"dt_s", drift.dt},
                                 {"dt_limit_s", limit},
                                 {"machine", machine_context()}}
               << "\n";

@@ -85,6 +85,7 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
       near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
   if (s.sheet.window_ahead > 0.0) hold_far_end_together();
+  find_cracks();
 }
 
 std::variant<IceSheet::Work<float>, IceSheet::Work<double>> IceSheet::make_work(
@@ -126,7 +127,8 @@ bool IceSheet::held(int i, int j) const {
 }
 
 std::size_t IceSheet::bytes() const {
-  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size();
+  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size() +
+         there_.size() * sizeof there_[0];
 }
 
 template <class Real>
@@ -139,6 +141,8 @@ RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k, const st
           at(theta),
           bits.row(jl, k),
           bits.per_block(),
+          families_there(jl, k),
+          bonds_there_,
           layout.blocks,
           state(jl, k),
           work.linear.enabled() ? work.linear.linear(jl) : work.none.data(),
@@ -185,20 +189,22 @@ void IceSheet::select_column(Work<Real>& work, int jl, const std::uint8_t* crush
 
 void IceSheet::find_cracks() {
   const auto find = [this](auto& work) {
-    for (int jl = 0; jl < layout.columns; ++jl) {
-      for (int k = 0; k < layout.nz; ++k) {
-        const auto family = work.families.row(jl, k);
-        for (int b = 0; b < layout.blocks; ++b) {
-          const std::uint16_t* const words = bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block();
-          bool all = true;
-          for (int n = 0; n < family.bonds && all; ++n) {
-            const auto& bond = family.bond[n];
-            all = alive(words + bond.word, bits.per_block(), bond.shift) ==
-                  (family.whole[b] ? family.whole[b][n] : 0xffffu);
-          }
-          std::uint8_t& s = state(jl, k)[b];
-          s = static_cast<std::uint8_t>(all ? s & ~cracked : s | cracked);
+    bonds_there_ = work.families.most_bonds();
+    there_.resize(std::size_t(layout.columns) * layout.nz * layout.blocks * bonds_there_);
+    for (int row = 0; row < layout.columns * layout.nz; ++row) {
+      const int jl = row / layout.nz, k = row % layout.nz;
+      const auto family = work.families.row(jl, k);
+      for (int b = 0; b < layout.blocks; ++b) {
+        const std::uint16_t* const words = bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block();
+        std::uint16_t* const there = families_there(jl, k) + std::ptrdiff_t(b) * bonds_there_;
+        bool missing = false;
+        for (int n = 0; n < family.bonds; ++n) {
+          const unsigned now = alive(words + family.word[n].word, bits.per_block(), family.word[n].shift);
+          there[n] = static_cast<std::uint16_t>(now);
+          missing |= now != (family.whole[b] ? family.whole[b][n] : 0xffffu);
         }
+        std::uint8_t& s = state(jl, k)[b];
+        s = static_cast<std::uint8_t>(missing ? s | cracked : s & ~cracked);
       }
     }
     work.crushed.forget();

@@ -176,6 +176,12 @@ class IceSheet {
 
   bool sides_held_, far_end_held_;
   std::variant<Work<float>, Work<double>> work_;
+  std::uint16_t* families_there(int jl, int k) {
+    return &there_[(std::size_t(jl) * layout.nz + k) * layout.blocks * bonds_there_];
+  }
+
+  std::vector<std::uint16_t> there_;     // RowFields::there of the own rows
+  int bonds_there_ = 0;                  // of a block
   std::vector<std::uint8_t> state_;      // ghost rows and blocks included
   std::vector<std::uint8_t> near_hull_;  // own blocks
 };

@@ -24,7 +24,8 @@ class Families<Real>::Builder {
     const int j = layout_.j0 + jl;
     Tables t;
     const std::vector<Offset> family = in_sheet(j, k);
-    for (const Offset& o : family) t.bonds.push_back(bond(o, jl, k));
+    add_bonds(family, t);
+    for (const Offset& o : family) t.words.push_back(word(o, jl, k));
     for (int b = 0; b < layout_.blocks; ++b) {
       const int first = layout_.i0 + b * block;
       if (is_interior(lattice_, first)) {
@@ -54,22 +55,30 @@ class Families<Real>::Builder {
     return family;
   }
 
-  FamilyBond<Real> bond(const Offset& o, int jl, int k) const {
+  void add_bonds(const std::vector<Offset>& family, Tables& t) const {
+    const auto xi = [&](int steps) { return static_cast<Real>(steps * lattice_.dx); };
+    const Offset* before = nullptr;
+    for (const Offset& o : family) {
+      if (!before || before->dj != o.dj || before->dk != o.dk) t.rows.push_back({0, xi(o.dj), xi(o.dk)});
+      ++t.rows.back().bonds;
+      const std::ptrdiff_t neighbour = (std::ptrdiff_t(o.dj) * layout_.nz + o.dk) * layout_.stride + o.di;
+      t.bonds.push_back({neighbour, xi(o.di), static_cast<Real>(1.0 / (o.length * o.length))});
+      before = &o;
+    }
+  }
+
+  FamilyWord word(const Offset& o, int jl, int k) const {
     const bool upwards = std::tie(o.dj, o.dk, o.di) > std::make_tuple(0, 0, 0);
-    FamilyBond<Real> fb;
-    fb.neighbour = (std::ptrdiff_t(o.dj) * layout_.nz + o.dk) * layout_.stride + o.di;
     const int per_block = stencil_.column_slots(), di = upwards ? 0 : o.di, dj = upwards ? 0 : o.dj,
               lower_k = upwards ? k : k + o.dk;
     const int slot = upwards ? slot_.at({k, o.di, o.dj, o.dk}) : slot_.at({lower_k, -o.di, -o.dj, -o.dk});
-    fb.word = std::ptrdiff_t(dj) * (layout_.blocks + 2) * per_block + stencil_.first_slot[lower_k] -
+    FamilyWord fw;
+    fw.word = std::ptrdiff_t(dj) * (layout_.blocks + 2) * per_block + stencil_.first_slot[lower_k] -
               stencil_.first_slot[k] + slot;
-    fb.shift = block + di;
-    fb.own = jl + dj >= 0;
-    fb.image = lattice_.half && layout_.j0 + jl + dj < 0;
-    const int steps[3] = {o.di, o.dj, o.dk};
-    for (int c = 0; c < 3; ++c) fb.xi[c] = static_cast<Real>(steps[c] * lattice_.dx);
-    fb.inverse_L2 = static_cast<Real>(1.0 / (o.length * o.length));
-    return fb;
+    fw.shift = block + di;
+    fw.own = jl + dj >= 0;
+    fw.image = lattice_.half && layout_.j0 + jl + dj < 0;
+    return fw;
   }
 
   std::vector<Real> weights(const std::vector<Offset>& family, int i, int j, int k, int particles) {
@@ -112,6 +121,7 @@ Families<Real>::Families(const Lattice& lattice, const Layout& layout, const Ste
     for (int k = 0; k < lattice.nz; ++k) {
       const RowClass key = row_class(jl, k);
       if (!tables_.count(key)) tables_.emplace(key, builder.build(jl, k));
+      most_bonds_ = std::max(most_bonds_, static_cast<int>(tables_.at(key).bonds.size()));
     }
   }
 }
@@ -126,7 +136,13 @@ typename Families<Real>::RowClass Families<Real>::row_class(int jl, int k) const
 template <class Real>
 FamilyTables<Real> Families<Real>::row(int jl, int k) const {
   const Tables& t = tables_.at(row_class(jl, k));
-  return {static_cast<int>(t.bonds.size()), t.bonds.data(), t.interior.data(), t.end_of.data(),
+  return {static_cast<int>(t.rows.size()),
+          static_cast<int>(t.bonds.size()),
+          t.rows.data(),
+          t.bonds.data(),
+          t.words.data(),
+          t.interior.data(),
+          t.end_of.data(),
           t.whole_of.data()};
 }
 

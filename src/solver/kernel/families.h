@@ -21,13 +21,16 @@ class Families {
 
   // Of the row (jl, k) of this rank.
   FamilyTables<Real> row(int jl, int k) const;
+  int most_bonds() const { return most_bonds_; }  // of a particle
 
  private:
   // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) have
   // the same families. The first columns' bonds begin in columns that are not this rank's.
   using RowClass = std::tuple<int, int, int, int>;  // own column, at most reach; distances to the edges; k
   struct Tables {
+    std::vector<FamilyRow<Real>> rows;
     std::vector<FamilyBond<Real>> bonds;
+    std::vector<FamilyWord> words;
     std::vector<Real> interior;
     std::map<int, std::vector<Real>> ends;            // by block
     std::map<int, std::vector<std::uint16_t>> whole;  // by block near the ends
@@ -37,7 +40,7 @@ class Families {
   class Builder;
   RowClass row_class(int jl, int k) const;
 
-  int ny_, mirrored_columns_, j0_;
+  int ny_, mirrored_columns_, j0_, most_bonds_ = 0;
   std::map<RowClass, Tables> tables_;
 };
 

@@ -104,10 +104,19 @@ struct RowTables {
 template <class Real>
 struct FamilyBond {
   std::ptrdiff_t neighbour;  // elements from a particle to the other end
-  std::ptrdiff_t word;       // from the block's words to those of the bond's lower ends in the same block
+  Real xi_x, inverse_L2;     //!< [m], [1/m^2]
+};
+// Bonds to one row of neighbours: they follow each other, and have these components in common.
+template <class Real>
+struct FamilyRow {
+  int bonds;
+  Real xi_y, xi_z;  //!< [m]
+};
+// Where a bond's bits lie.
+struct FamilyWord {
+  std::ptrdiff_t word;  // from the block's words to those of the bond's lower ends in the same block
   int shift;        // of the words before, of and after that block, taken as one number: own bits come last
   bool own, image;  // the lower end is in a column of this rank's, or the mirror image of one
-  Real xi[3], inverse_L2;
 };
 
 // Weights of a bond, those of G and H halved (BondLaw), in the order of use.
@@ -117,8 +126,10 @@ enum FamilyWeight { half_dilatation, pressure, half_distortion };
 // A row's families: all bonds that end in the sheet.
 template <class Real>
 struct FamilyTables {
-  int bonds;
+  int rows, bonds;
+  const FamilyRow<Real>* row;
   const FamilyBond<Real>* bond;
+  const FamilyWord* word;
   const Real* interior;               // [bond][weight]
   const Real* const* ends;            // [block]: [bond][weight][16], or nullptr where the block is interior
   const std::uint16_t* const* whole;  // [block]: [bond]: bonds that are in the sheet, likewise
@@ -137,8 +148,10 @@ struct RowFields {
   const Real* extra_strength;  // of each particle: IceSheet::extra_strength
   Real* acceleration[3];       // out, from bonds [m/s^2]
   Real* theta;                 // out, dilatation
-  std::uint16_t* bits;         // [block][column slot]: alive bonds of 16 particles
+  std::uint16_t* bits;         // [block][column slot]: alive bonds of 16 particles, each at its lower end
   int bits_per_block;          // column slots
+  std::uint16_t* there;        // [block][bond]: alive bonds of 16 particles' families, as the bits have them
+  int there_per_block;
   int blocks;                  // owned ones
   std::uint8_t* state;         // [block]: BlockLaw and `cracked`
   const std::uint8_t* linear;  // [block]: 1 where the linear passes do it all

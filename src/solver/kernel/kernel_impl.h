@@ -34,31 +34,58 @@ struct Bond {
   typename Simd<Real>::V e;
 };
 template <class Real>
-inline Bond<Real> bond_at(const FamilyBond<Real>& fb, const Real* const (&u)[3],
+inline Bond<Real> bond_at(const FamilyRow<Real>& row, const FamilyBond<Real>& fb, const Real* const (&u)[3],
                           const typename Simd<Real>::V (&centre)[3]) {
   using S = Simd<Real>;
   using V = typename S::V;
+  const V xi[3] = {S::splat(fb.xi_x), S::splat(row.xi_y), S::splat(row.xi_z)};
   Bond<Real> bond;
   V q = {};
   for (int c = 0; c < 3; ++c) {
-    const V xi = S::splat(fb.xi[c]), minus_eta = centre[c] - S::load(u[c] + fb.neighbour);
-    bond.minus_y[c] = minus_eta - xi;
-    const V sum = bond.minus_y[c] - xi;
+    const V minus_eta = centre[c] - S::load(u[c] + fb.neighbour);
+    bond.minus_y[c] = minus_eta - xi[c];
+    const V sum = bond.minus_y[c] - xi[c];
     q = c == 0 ? minus_eta * sum : minus_eta * sum + q;
   }
   bond.e = q * fb.inverse_L2;
   return bond;
 }
 
+// e alone, in the fewest operations: along z (eta + 2 xi).eta as two products, else as one.
+template <class Real>
+inline typename Simd<Real>::V strain_at(const FamilyRow<Real>& row, const FamilyBond<Real>& fb,
+                                        const Real* const (&u)[3],
+                                        const typename Simd<Real>::V (&centre)[3]) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const V x = centre[0] - S::load(u[0] + fb.neighbour), y = centre[1] - S::load(u[1] + fb.neighbour),
+          z = centre[2] - S::load(u[2] + fb.neighbour);
+  V q = x * (x - 2 * fb.xi_x);
+  q = y * (y - 2 * row.xi_y) + q;
+  q = z * (-2 * row.xi_z) + q;
+  q = z * z + q;
+  return q * fb.inverse_L2;
+}
+
+// Calls visit(row, bond, weights, number) for a family's bonds, in their order.
+template <class Real, bool per_lane, class Visit>
+inline __attribute__((always_inline)) void for_family(const FamilyTables<Real>& t, int b, int lane0,
+                                                      Visit visit) {
+  const Real* weight = per_lane ? t.ends[b] + lane0 : t.interior;
+  const FamilyBond<Real>* fb = t.bond;
+  for (const FamilyRow<Real>* row = t.row; row != t.row + t.rows; ++row) {
+    const FamilyRow<Real> common = *row;
+    for (const FamilyBond<Real>* const end = fb + row->bonds; fb != end; ++fb) {
+      visit(common, *fb, weight, fb - t.bond);
+      weight += family_weights * (per_lane ? block : 1);
+    }
+  }
+}
+
 // Bits of `lanes` particles within those of a block.
 template <int lanes>
 inline unsigned part_of(unsigned word, int lane0) {
   return (word >> lane0) & ((1u << lanes) - 1u);
-}
-
-template <bool per_lane, class Real>
-inline const Real* weights_of(const FamilyTables<Real>& t, int b) {
-  return per_lane ? t.ends[b] : t.interior;
 }
 
 template <class Real>
@@ -72,26 +99,18 @@ Extremes<Real> family_theta(const RowFields<Real>& f, const FamilyTables<Real>& 
                             int b) {
   using S = Simd<Real>;
   using V = typename S::V;
-  constexpr int width = per_lane ? block : 1;
   const auto& fits = fits_of<which>(law);
   const typename S::template Polynomial<std::extent_v<decltype(fits.G)>> G(fits.G);
-  const std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
+  const std::uint16_t* const there = f.there + std::ptrdiff_t(b) * f.there_per_block;
   Extremes<Real> extremes;
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
     const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
-    const Real* weight = weights_of<per_lane>(t, b) + (per_lane ? lane0 : 0);
     V sum = {}, high = extremes.high, low = extremes.low;
-    for (const FamilyBond<Real>* fb = t.bond; fb != t.bond + t.bonds;
-         ++fb, weight += family_weights * width) {
-      unsigned there = 0;
-      if constexpr (masked) {
-        there = part_of<S::lanes>(alive(words + fb->word, f.bits_per_block, fb->shift), lane0);
-        if (!there) continue;
-      }
-      V e = bond_at(*fb, u, centre).e;
-      if constexpr (masked) e = S::keep_lanes(e, there);
+    for_family<Real, per_lane>(t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, auto n) {
+      V e = strain_at(row, fb, u, centre);
+      if constexpr (masked) e = S::keep_lanes(e, part_of<S::lanes>(there[n], lane0));
       const V w = S::template constant<per_lane>(weight, half_dilatation);
       if constexpr (which == calm && LawDegrees<Real>::calm == 0) {
         sum += w * e;
@@ -100,7 +119,7 @@ Extremes<Real> family_theta(const RowFields<Real>& f, const FamilyTables<Real>& 
       }
       high = S::max(high, e);
       low = S::min(low, e);
-    }
+    });
     S::store(f.theta + x, sum);
     extremes = {high, low};
   }
@@ -114,11 +133,10 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
                                     const BondLaw<Real>& law, int b) {
   using S = Simd<Real>;
   using V = typename S::V;
-  constexpr int width = per_lane ? block : 1;
   const auto& fits = fits_of<which>(law);
   constexpr int n = std::extent_v<std::remove_reference_t<decltype(fits.R)>>;
   const typename S::template Polynomial<n> R(fits.R), H(fits.H);
-  const std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
+  const std::uint16_t* const there = f.there + std::ptrdiff_t(b) * f.there_per_block;
   const V theta_as_strain = S::splat(by_stress ? 2 * law.stress_per_theta / law.stress_per_stretch : Real(0));
   V largest = {};
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
@@ -126,33 +144,28 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
     const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const Real* const theta = f.theta + x;
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])}, own_theta = S::load(theta);
-    const Real* weight = weights_of<per_lane>(t, b) + (per_lane ? lane0 : 0);
     V sum[3] = {}, high = largest;
-    for (const FamilyBond<Real>* fb = t.bond; fb != t.bond + t.bonds;
-         ++fb, weight += family_weights * width) {
-      unsigned there = 0;
-      if constexpr (masked) {
-        there = part_of<S::lanes>(alive(words + fb->word, f.bits_per_block, fb->shift), lane0);
-        if (!there) continue;
-      }
-      const Bond<Real> bond = bond_at(*fb, u, centre);
-      const V both = own_theta + S::load(theta + fb->neighbour);
-      V press = both * S::template constant<per_lane>(weight, pressure);
-      V distort = bond.e * S::template constant<per_lane>(weight, half_distortion);
-      if constexpr (n > 1) {
-        const V e = fit_argument<which>(bond.e, law);
-        press *= R(e);
-        distort *= H(e);
-      }
-      V scale = distort + press;
-      if constexpr (masked) scale = S::keep_lanes(scale, there);
-      if constexpr (by_stress) {
-        V stress = theta_as_strain * both + bond.e;
-        if constexpr (masked) stress = S::keep_lanes(stress, there);
-        high = S::max(high, stress);
-      }
-      for (int c = 0; c < 3; ++c) sum[c] -= scale * bond.minus_y[c];
-    }
+    for_family<Real, per_lane>(
+        t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, auto number) {
+          const Bond<Real> bond = bond_at(row, fb, u, centre);
+          const V both = own_theta + S::load(theta + fb.neighbour);
+          V press = both * S::template constant<per_lane>(weight, pressure);
+          V distort = bond.e * S::template constant<per_lane>(weight, half_distortion);
+          if constexpr (n > 1) {
+            const V e = fit_argument<which>(bond.e, law);
+            press *= R(e);
+            distort *= H(e);
+          }
+          V scale = distort + press;
+          const unsigned alive_ones = masked ? part_of<S::lanes>(there[number], lane0) : 0u;
+          if constexpr (masked) scale = S::keep_lanes(scale, alive_ones);
+          if constexpr (by_stress) {
+            V stress = theta_as_strain * both + bond.e;
+            if constexpr (masked) stress = S::keep_lanes(stress, alive_ones);
+            high = S::max(high, stress);
+          }
+          for (int c = 0; c < 3; ++c) sum[c] -= scale * bond.minus_y[c];
+        });
     for (int c = 0; c < 3; ++c) S::store(f.acceleration[c] + x, sum[c]);
     largest = high;
   }
@@ -167,57 +180,69 @@ inline void kill(std::uint16_t* words, int per_block, std::uint64_t gone) {
 
 // Bonds with these lower ends' bits, as alive() counts them; those of other ranks' particles are theirs to
 // count.
-template <class Real>
-void count(const FamilyBond<Real>& fb, int b, int blocks, std::uint64_t gone, Broken& broken) {
+inline void count(const FamilyWord& fw, int b, int blocks, std::uint64_t gone, Broken& broken) {
   const std::uint64_t before = b > 0 ? 0 : 0xffffu, after = b + 1 < blocks ? 0 : std::uint64_t(0xffff) << 32;
   const int n = __builtin_popcountll(gone & ~(before | after));
-  if (fb.own) broken.own += n;
-  if (fb.image) broken.image += n;
+  if (fw.own) broken.own += n;
+  if (fw.image) broken.image += n;
 }
 
-// Breaks a block's bonds whose stretch or stress is too high, one by one: the same arithmetic from both ends.
-// Returns whether there were any, or whether the block was not known to be cracked and is.
+// Of a block's bonds number n those whose stretch or stress is too high: a bit a particle. The same
+// arithmetic from both ends.
 template <class Real, bool by_stress>
-bool break_bonds(const RowFields<Real>& f, const FamilyTables<Real>& t, const BondLaw<Real>& law, int b,
-                 Broken& broken) {
+unsigned overstrained(const RowFields<Real>& f, const FamilyRow<Real>& row, const FamilyBond<Real>& fb,
+                      const BondLaw<Real>& law, int b) {
   using S = Simd<Real>;
   using V = typename S::V;
   const typename S::Mask bits = S::lane_bits();
   const typename S::template Polynomial<LawDegrees<Real>::wide + 1> G(law.wide.G);
+  unsigned all = 0;
+  for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
+    const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
+    const V e = bond_at(row, fb, u, centre).e;
+    const Real *const extra = f.extra_strength + x, *const theta = f.theta + x;
+    const V strength = S::load(extra) + S::load(extra + fb.neighbour);
+    typename S::Mask breaks;
+    if constexpr (by_stress) {
+      const V stretch = e * G(fit_argument<wide>(e, law)) * Real(0.5);
+      const V both = S::load(theta) + S::load(theta + fb.neighbour);
+      breaks = law.stress_per_stretch * stretch + law.stress_per_theta * both > strength + Real(1);
+    } else {
+      breaks = e > strength + law.e_break;
+    }
+    all |= (S::compress(breaks, bits) & ((1u << S::lanes) - 1u)) << lane0;
+  }
+  return all;
+}
+
+// Breaks a block's bonds that are overstrained, one by one. Returns whether there were any, or whether the
+// block was not known to be cracked and is.
+template <class Real, bool by_stress>
+bool break_bonds(const RowFields<Real>& f, const FamilyTables<Real>& t, const BondLaw<Real>& law, int b,
+                 Broken& broken) {
   std::uint16_t* const words = f.bits + std::ptrdiff_t(b) * f.bits_per_block;
-  bool any = false, missing = false;
-  for (int n = 0; n < t.bonds; ++n) {
-    const FamilyBond<Real>& fb = t.bond[n];
-    const unsigned there = alive(words + fb.word, f.bits_per_block, fb.shift);
-    missing |= there != (t.whole[b] ? t.whole[b][n] : 0xffffu);
-    for (int lane0 = 0; lane0 < block && there; lane0 += S::lanes) {
-      const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-      const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
-      const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
-      const V e = bond_at(fb, u, centre).e;
-      const Real *const extra = f.extra_strength + x, *const theta = f.theta + x;
-      const V strength = S::load(extra) + S::load(extra + fb.neighbour);
-      typename S::Mask breaks;
-      if constexpr (by_stress) {
-        const V stretch = e * G(fit_argument<wide>(e, law)) * Real(0.5);
-        breaks = law.stress_per_stretch * stretch +
-                     law.stress_per_theta * (S::load(theta) + S::load(theta + fb.neighbour)) >
-                 strength + Real(1);
-      } else {
-        breaks = e > strength + law.e_break;
+  std::uint16_t* const there = f.there + std::ptrdiff_t(b) * f.there_per_block;
+  bool changed = false, missing = false;
+  int n = 0;
+  for (int r = 0; r < t.rows; ++r) {
+    for (const int end = n + t.row[r].bonds; n < end; ++n) {
+      const FamilyWord& fw = t.word[n];
+      unsigned now = alive(words + fw.word, f.bits_per_block, fw.shift);
+      const unsigned gone = now ? now & overstrained<Real, by_stress>(f, t.row[r], t.bond[n], law, b) : 0u;
+      if (gone) {
+        count(fw, b, f.blocks, std::uint64_t(gone) << fw.shift, broken);
+        kill(words + fw.word, f.bits_per_block, std::uint64_t(gone) << fw.shift);
+        now &= ~gone;
       }
-      const std::uint64_t gone = std::uint64_t(S::compress(breaks, bits) & part_of<S::lanes>(there, lane0))
-                                 << lane0 << fb.shift;
-      if (!gone) continue;
-      count(fb, b, f.blocks, gone, broken);
-      kill(words + fb.word, f.bits_per_block, gone);
-      any = missing = true;
+      changed |= there[n] != now;
+      there[n] = static_cast<std::uint16_t>(now);
+      missing |= now != (t.whole[b] ? t.whole[b][n] : 0xffffu);
     }
   }
-  if (!missing) return false;
-  any |= !(f.state[b] & cracked);
-  f.state[b] |= cracked;
-  return any;
+  if (missing) f.state[b] |= cracked;
+  return changed;
 }
 
 template <class Real, bool masked, bool per_lane>
@@ -260,7 +285,8 @@ void block_theta(const RowFields<Real>& f, const FamilyTables<Real>& t, const Bo
   if (f.crush[b]) break_bonds<Real, false>(f, t, law, b, broken);
   for (bool asked = false;;) {
     const Extremes<Real> e = theta_by_state(f, t, law, b);
-    if (!asked && __builtin_expect(Simd<Real>::any(e.high > law.e_break), 0)) {
+    // A little less than what breaks: what decides is another sum, of the same terms.
+    if (!asked && __builtin_expect(Simd<Real>::any(e.high > law.e_break * Real(0.999)), 0)) {
       asked = true;
       if (break_bonds<Real, false>(f, t, law, b, broken)) continue;
     }
