@@ -117,7 +117,7 @@ TEST_CASE(
   check({30.0, 2.0, 0.95, 4, false, 520e6});
 }
 
-TEST_CASE("a wall at every speed of a ship, long", "[.long]") {
+TEST_CASE("a wall at every speed of a ship: the table", "[.long]") {
   for (const double slope : {90.0, 60.0, 30.0}) {
     for (const double knots : {0.5, 1.0, 2.0, 4.0, 8.0}) {
       for (const double step : {0.95, 0.475}) {
