@@ -10,7 +10,7 @@ namespace icebow {
 LoadUnit load_unit(const Ranking& ranking) {
   double largest = 0.0;
   for (const RankedDesign& row : ranking.rows)
-    for (const double load : {row.mean_load, row.lindqvist_breaking})
+    for (const double load : {row.mean_load, row.lindqvist})
       if (std::isfinite(load)) largest = std::max(largest, std::abs(load));
   if (largest > 0.0 && largest < 1e5) return {"kN", 1e3, largest < 1e4 ? 2 : 1};
   return {"MN", 1e6, largest < 1e7 ? 3 : 2};

@@ -117,7 +117,7 @@ bool ReportContent::has_loads() const {
 
 bool ReportContent::has_lindqvist() const {
   return std::any_of(study.ranking.rows.begin(), study.ranking.rows.end(),
-                     [](const RankedDesign& r) { return std::isfinite(r.lindqvist_breaking); });
+                     [](const RankedDesign& r) { return std::isfinite(r.lindqvist); });
 }
 
 bool ReportContent::has_histories() const {

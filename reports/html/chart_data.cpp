@@ -51,7 +51,7 @@ Json design_json(const RankedDesign& row, const DesignContent& design) {
                {"ci95_N", number(row.mean_load_ci95)},
                {"max_N", number(number_at(e.result, "/metrics/full_scale/max_load_N"))},
                {"q95_N", number(number_at(e.result, "/metrics/full_scale/q95_load_N"))},
-               {"lindqvist_N", number(row.lindqvist_breaking)},
+               {"lindqvist_N", number(row.lindqvist)},
                {"lambda", number(design.lambda)},
                {"angles_deg", angles},
                {"parameters", parameters},

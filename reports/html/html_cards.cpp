@@ -89,7 +89,7 @@ std::string loads_table(const Json& result, const RankedDesign& ranked, const Lo
   rows += repeats_rows(ranked, unit);
   const std::string bias = text_at(result, "/metrics/resolution_bias/sentence");
   const std::string note = bias.empty() ? "" : "<p class=\"note\">" + html_escaped(bias) + ".</p>\n";
-  return "<div>" + table("Measured ice load", {"full scale, " + unit.name, "model, N"}, rows) + note +
+  return "<div>" + table("Simulated ice load", {"full scale, " + unit.name, "model, N"}, rows) + note +
          "</div>";
 }
 
@@ -107,7 +107,8 @@ std::string lindqvist_table(const Json& result, const RankedDesign& ranked, cons
   rows +=
       row("Breaking", {load(breaking)}, "sum") + row("Submersion", {load(number_at(part, "/submersion_N"))});
   rows += row("Total resistance", {load(number_at(part, "/total_N"))}, "sum");
-  rows += row("Measured mean / breaking", {fixed(ranked.ratio, 2)});
+  rows += row(std::string("Simulated mean / ") + (ranked.whole_load ? "total" : "breaking"),
+              {fixed(ranked.ratio, 2)});
   const std::string caution = text_at(part, "/caution");
   return "<div>" + table("Lindqvist's formula", {unit.name}, rows) +
          (caution.empty() ? "" : "<p class=\"note\">" + html_escaped(caution) + "</p>\n") + "</div>";
@@ -182,6 +183,9 @@ std::string simulation_facts(const Json& result, double wall_seconds) {
                crushing = number_at(run, "/crushing_pressure_Pa");
   if (std::isfinite(tensile)) facts.add("Tensile strength of bonds, model", tensile / 1e3, 1, "kPa");
   if (std::isfinite(crushing)) facts.add("Crushing pressure, model", crushing / 1e3, 1, "kPa");
+  const double flexural = number_at(run, "/ice/flexural_strength_Pa");
+  if (std::isfinite(flexural))
+    facts.add("Flexural strength of the simulated ice, full scale", flexural / 1e3, 0, "kPa");
   facts.add("Model scale", "1\u2009:\u2009" + fixed(number_at(run, "/lambda"), 0));
   facts.add("Wall time", duration(wall_seconds));
   const double ranks = number_at(result, "/provenance/ranks");

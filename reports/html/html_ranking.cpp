@@ -52,7 +52,7 @@ std::string angle_cell(double value, const Range& range) {
 // Bar to the mean (to Lindqvist's value where nothing was simulated), whiskers over the interval, a diamond
 // at Lindqvist's value. `full` newtons fill the width.
 std::string load_bar(const RankedDesign& row, double full) {
-  const double length = std::isfinite(row.mean_load) ? row.mean_load : row.lindqvist_breaking;
+  const double length = std::isfinite(row.mean_load) ? row.mean_load : row.lindqvist;
   if (!std::isfinite(length) || full <= 0.0) return {};
   const auto x = [&](double load) { return plain(std::clamp(100.0 * load / full, 0.0, 100.0), 1) + "%"; };
   std::string svg =
@@ -65,8 +65,8 @@ std::string load_bar(const RankedDesign& row, double full) {
     for (const std::string& end : {from, to})
       svg += "<line class=\"ci\" y1=\"7\" y2=\"15\" x1=\"" + end + "\" x2=\"" + end + "\"/>";
   }
-  if (std::isfinite(row.lindqvist_breaking))
-    svg += "<svg x=\"" + x(row.lindqvist_breaking) +
+  if (std::isfinite(row.lindqvist))
+    svg += "<svg x=\"" + x(row.lindqvist) +
            "\" overflow=\"visible\"><path class=\"lindqvist\" d=\"M0 7l4 4-4 4-4-4z\"/></svg>";
   return svg + "</svg>";
 }
@@ -74,8 +74,8 @@ std::string load_bar(const RankedDesign& row, double full) {
 double largest_load(const Ranking& ranking) {
   double largest = 0.0;
   for (const RankedDesign& row : ranking.rows)
-    for (const double load : {row.mean_load + (std::isfinite(row.mean_load_ci95) ? row.mean_load_ci95 : 0.0),
-                              row.lindqvist_breaking})
+    for (const double load :
+         {row.mean_load + (std::isfinite(row.mean_load_ci95) ? row.mean_load_ci95 : 0.0), row.lindqvist})
       if (row.rank > 0 && std::isfinite(load)) largest = std::max(largest, load);
   return 1.05 * largest;
 }
@@ -121,7 +121,7 @@ std::string table_row(const ReportContent& content, std::size_t i, const Range r
   const auto load_cell = [&](double load) { return cell(load, fixed(load / unit.newtons, unit.decimals)); };
   if (content.has_loads())
     html += load_cell(number_at(row.evaluation.result, "/metrics/full_scale/max_load_N"));
-  if (content.has_lindqvist()) html += load_cell(row.lindqvist_breaking);
+  if (content.has_lindqvist()) html += load_cell(row.lindqvist);
   if (content.has_loads() && content.has_lindqvist()) html += cell(row.ratio, fixed(row.ratio, 2));
   if (content.has_loads()) html += "<td class=\"ties\">" + tie_chips(row) + "</td>";
   return html + "</tr>\n";
@@ -146,7 +146,8 @@ std::string table_head(const ReportContent& content) {
   html += "<th scope=\"col\" class=\"scale\"><span>0</span><span>" + fixed(full, 2) + "\u00a0" + unit +
           "</span></th>";
   if (content.has_loads()) html += heading("Peak", unit);
-  if (content.has_lindqvist()) html += heading("Lindqvist", "breaking, " + unit);
+  if (content.has_lindqvist())
+    html += heading("Lindqvist", compared_part(content.study.ranking) + ", " + unit);
   if (content.has_loads() && content.has_lindqvist()) html += heading("Ratio", "mean / L.");
   if (content.has_loads()) html += "<th scope=\"col\">Tied<small>with rank</small></th>";
   return html + "</tr></thead>\n";

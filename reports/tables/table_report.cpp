@@ -57,8 +57,7 @@ std::string markdown_row(const RankedDesign& row, const LoadUnit& unit) {
   for (const char* angle : angles) line += " | " + fixed(measured_or_requested(result, angle), 1);
   line +=
       " | " + with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
-  line += " | " + load(number_at(result, "/metrics/full_scale/max_load_N")) + " | " +
-          load(row.lindqvist_breaking);
+  line += " | " + load(number_at(result, "/metrics/full_scale/max_load_N")) + " | " + load(row.lindqvist);
   return line + " | " + fixed(row.ratio, 2) + " |\n";
 }
 
@@ -121,13 +120,14 @@ std::string ranking_markdown(const StudyResults& study) {
     text +=
         "\n| rank | design | stem, deg | waterline, deg | buttock, deg | flare, deg | mean load \u00b1 "
         "95\u00a0%, " +
-        unit.name + " | peak, " + unit.name + " | Lindqvist breaking, " + unit.name +
-        " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+        unit.name + " | peak, " + unit.name + " | Lindqvist " + compared_part(study.ranking) + ", " +
+        unit.name + " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const RankedDesign& row : study.ranking.rows)
       if (row.rank > 0) text += markdown_row(row, unit);
     text +=
         "\nFull scale. \u2248: the 95\u00a0% interval overlaps that of rank 1. Ratio: mean load over "
-        "Lindqvist's breaking part.\n";
+        "Lindqvist's " +
+        compared_part(study.ranking) + (compared_part(study.ranking) == "total" ? ".\n" : " part.\n");
   }
   return text + markdown_unranked(study.ranking) + markdown_provenance(study);
 }

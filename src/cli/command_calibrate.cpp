@@ -8,7 +8,6 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
-#include "solver/lattice/stencil.h"
 #include "solver/model/plate_on_water.h"
 #include "solver/tank/virtual_tests.h"
 #include "study/evaluate/calibration.h"
@@ -87,11 +86,6 @@ double input_modulus(const Comparison& c) {
   return to_full_scale(c.simulated.ice.E, c.lambda, scaling::stress);
 }
 
-double input_stretch(const Comparison& c) {
-  const Numerics& n = c.simulated.numerics;
-  return make_material(c.simulated.ice, n.dx, n.horizon_ratio).s0;
-}
-
 // Of bonds that break by stress; at the scale of the study's section "ice".
 double input_strength(const Comparison& c) {
   return to_full_scale(c.simulated.ice.tensile_strength, c.lambda, scaling::stress);
@@ -110,7 +104,7 @@ Json input_json(const Comparison& c) {
   if (breaks_by_stress(c)) {
     json["tensile_strength_Pa"] = input_strength(c);
   } else {
-    json["critical_stretch"] = input_stretch(c);
+    json["critical_stretch"] = critical_stretch(c.simulated);
   }
   if (c.simulated.ice.crushing_pressure > 0.0) json["crushing_pressure_Pa"] = input_crushing_pressure(c);
   return json;
@@ -191,7 +185,7 @@ std::string for_people(const Comparison& c, const std::string& design) {
   text += text_table(rows);
   text += "\nsimulated with: modulus " + brief(input_modulus(c) / 1e3) + " kPa, " +
           (breaks_by_stress(c) ? "tensile strength of bonds " + brief(input_strength(c) / 1e3) + " kPa"
-                               : "critical stretch " + brief(input_stretch(c)));
+                               : "critical stretch " + brief(critical_stretch(c.simulated)));
   if (c.simulated.ice.crushing_pressure > 0.0)
     text += ", crushing pressure " + brief(input_crushing_pressure(c) / 1e3) + " kPa";
   text += "\n";

@@ -51,7 +51,9 @@ std::string for_people(const Evaluation& e, const std::string& directory) {
   const Json::json_pointer at("/metrics/full_scale");
   if (!e.result.contains(at)) return text;
   const Json& loads = e.result.at(at);
-  return text + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
+  const Json::json_pointer ice("/simulation/ice/sentence");
+  const std::string ice_sentence = e.result.contains(ice) ? e.result.at(ice).get<std::string>() + "\n" : "";
+  return text + ice_sentence + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
          kilonewtons(loads, "mean_load_ci95_N") + " kN (95 %), maximum " + kilonewtons(loads, "max_load_N") +
          " kN\n" + process_text(e.result) + bias_sentence(e.result);
 }

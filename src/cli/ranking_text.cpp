@@ -66,7 +66,7 @@ Ranking read_ranking(const std::string& directory) {
 std::string ranking_text(const Ranking& ranking) {
   const bool confirmed = ranking.confirmed.designs > 0;
   std::vector<std::vector<std::string>> rows = {
-      {"design", "rank", "mean load, kN", "Lindqvist breaking, kN", "ratio", "tied"}};
+      {"design", "rank", "mean load, kN", "Lindqvist " + compared_part(ranking) + ", kN", "ratio", "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
   std::string others;
   for (const RankedDesign& row : ranking.rows) {
@@ -75,7 +75,7 @@ std::string ranking_text(const Ranking& ranking) {
       others += e.name + ": " + to_string(e.status) + (e.reason.empty() ? "" : ": " + e.reason) + "\n";
       continue;
     }
-    rows.push_back({e.name, std::to_string(row.rank), interval(row), kilonewtons(row.lindqvist_breaking),
+    rows.push_back({e.name, std::to_string(row.rank), interval(row), kilonewtons(row.lindqvist),
                     decimals(row.ratio, 2), tie(row)});
     if (confirmed)
       rows.back().insert(

@@ -24,8 +24,8 @@ CONDITIONS = {"bow": [
     {"key": "angles_at", "is": "quarter_beam", "then": ([], ["flare"]), "else": (["flare"], ["entrance"])},
     {"key": "family", "is": "spoon_reamers", "then": ([], []), "else": ([], ["reamer_step"])},
     {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}],
-    "ice": [{"key": "model", "is": "calibrated", "then": ([], ["fracture_toughness", "critical_stretch"]),
-             "else": ([], [])}]}
+    "ice": [{"key": "model", "is": "paper", "then": ([], []),
+             "else": ([], ["fracture_toughness", "critical_stretch"])}]}
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
 SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],

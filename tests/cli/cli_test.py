@@ -61,7 +61,7 @@ class Check(ProgramTest):
     def test_what_is_known_of_a_model_is_said(self):
         plain = self.expect(0, "check", TINY).stdout
         self.assertNotIn("note:", plain)
-        notes = self.expect(0, "check", TINY, "--set", "/ice/model=calibrated").stdout
+        notes = self.expect(0, "check", TINY, "--set", "/ice/model=calibrated", "--set", "/solver/floe_contact=false").stdout
         self.assertIn("solver.floe_contact", notes)
         self.assertIn("solver.layers 3 or more", notes)
         near = self.expect(0, "check", STUDIES / "calibrated_ice.json", "--set", "/sheet/window_ahead_m=8").stdout

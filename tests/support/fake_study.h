@@ -23,7 +23,7 @@ inline Json fake_document(const std::string& patch = "{}") {
   Json document = Json::parse(R"({"icebow_study": 1, "name": "fake",
     "bow": {"family": "straight_parallel_buttocks", "length_m": 147.2, "beam_m": 23.0, "draft_m": 8.0, "depth_m": 13.5,
             "bow_length_m": 32.5, "stem_deg": 25, "waterline_deg": 22, "buttock_deg": 28.0, "flare_deg": 33.0},
-    "ice": {"thickness_m": 1.0},
+    "ice": {"model": "paper", "thickness_m": 1.0},
     "operation": {"speed_kn": 4.0}})");
   document.merge_patch(Json::parse(patch));
   return document;

@@ -16,6 +16,10 @@ constexpr int clamp = reach;                      // columns held at the root: a
 
 }  // namespace
 
+double critical_stretch(const Scenario& s) {
+  return make_material(s.ice, s.numerics.dx, s.numerics.horizon_ratio).s0;
+}
+
 BeamTest virtual_beam_test(const Scenario& scenario) {
   const int layers = tested_layers(scenario), last = clamp + beam_length * layers - 1,
             ny = beam_width * layers;

@@ -14,6 +14,9 @@ namespace icebow {
 
 constexpr int most_tested_layers = 6;  // a beam of more takes many minutes
 
+// At which the scenario's bonds break, given or from its toughness, eq. (8).
+double critical_stretch(const Scenario& scenario);
+
 // Root held, the tip moved up.
 BeamTest virtual_beam_test(const Scenario& scenario);
 

@@ -44,6 +44,15 @@ void test_lattices(const std::vector<Case>& cases);
 // surface is crushed.
 IceMaterial calibrated_ice(const IceMaterial& ice, double flexural_strength, const LatticeNumbers& numbers);
 
+// Flexural strength that ice of the published model, whose bonds break by stretch, has in the virtual beam
+// test of its lattice [Pa]; NaN for lattices of other than 2 to most_tested_layers layers. Read or found and
+// stored likewise.
+double strength_by_stretch(const Scenario& scenario, const std::string& directory);
+
+// Of the ice that a case simulates, full scale: "model", "flexural_strength_Pa" by the virtual beam test
+// (null where that is not known) and a "sentence" for people. Collective; the root alone tests and reads.
+Json simulated_ice_json(const Communicator& comm, const Case& full, const Scenario& scenario);
+
 // What is simulated for a case: model scale, calibrated ice with what was found. Collective; the root alone
 // tests and reads. Throws InputError on every rank.
 Scenario simulated_scenario(const Communicator& comm, const Case& full);

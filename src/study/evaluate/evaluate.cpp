@@ -96,6 +96,7 @@ class DesignRun {
   Case case_;
   Hull hull_;
   IceMaterial simulated_ice_;  // model scale
+  Json ice_;                   // what it is: simulated_ice_json()
 };
 
 void DesignRun::evaluate() {
@@ -210,6 +211,7 @@ RunResult DesignRun::simulated() {
   try {
     const Scenario scenario = simulated_scenario(comm_, case_);
     simulated_ice_ = scenario.ice;
+    ice_ = simulated_ice_json(comm_, case_, scenario);
     run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), scenario, run_options);
   } catch (const std::exception& e) {
     error = *e.what() ? e.what() : "an exception without a message";
@@ -246,6 +248,8 @@ void DesignRun::take(const RunResult& run) {
                              {"critical_stretch", stress ? Json(nullptr) : Json(run.s0)},
                              {"tensile_strength_Pa", stress ? Json(stress) : Json(nullptr)},
                              {"crushing_pressure_Pa", crushing ? Json(crushing) : Json(nullptr)},
+                             {"load", case_.water.buoyancy_and_gravity ? "whole" : "breaking"},
+                             {"ice", ice_},
                              {"lambda", case_.lambda}};
   e_.result["profile"] = profile_json(run);
   Json pictures = Json::array();

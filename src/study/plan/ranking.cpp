@@ -32,6 +32,11 @@ double beam(const Json& result) {
   return number(result, "/ship/B_m");
 }  //!< [m]
 
+bool is_whole_load(const Json& result) {
+  const Json::json_pointer at("/simulation/load");
+  return result.contains(at) && result.at(at) == "whole";
+}
+
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
 double half_width(const RankedDesign& row, const std::string& rank_by) {
   if (rank_by == "lindqvist_breaking") return 0.0;
@@ -71,7 +76,9 @@ RankedDesign described(const std::vector<Evaluation>& runs, const std::string& r
   row.cycle_load = number(result, "/cycle/mean_load_N");
   row.cycle_ci95 = number(result, "/cycle/mean_load_ci95_N");
   row.lindqvist_breaking = lindqvist_breaking(result);
-  if (row.lindqvist_breaking > 0.0) row.ratio = row.mean_load / row.lindqvist_breaking;
+  row.whole_load = is_whole_load(result);
+  row.lindqvist = row.whole_load ? number(result, "/lindqvist/total_N") : row.lindqvist_breaking;
+  if (row.lindqvist > 0.0) row.ratio = row.mean_load / row.lindqvist;
   if (!std::isfinite(row.value) && row.evaluation.reason.empty())
     row.evaluation.reason = "has no " + rank_by + " to rank by";
   return row;
@@ -161,6 +168,17 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
   if (!biased.empty())
     words.push_back("the difference to the best design is smaller than the resolution bias of the lattice: " +
                     listed_names(biased));
+  // Once for each ice.
+  std::vector<std::string> ices;
+  for (std::size_t i = 0; i < ranked; ++i) {
+    const Json& result = ranking.rows[i].evaluation.result;
+    const Json::json_pointer at("/simulation/ice/sentence");
+    if (!result.contains(at) || result.value(Json::json_pointer("/simulation/ice/model"), "") != "paper")
+      continue;
+    const std::string words_of_ice = result.at(at).get<std::string>();
+    if (std::find(ices.begin(), ices.end(), words_of_ice) == ices.end()) ices.push_back(words_of_ice);
+  }
+  words.insert(words.end(), ices.begin(), ices.end());
   return words;
 }
 
@@ -168,9 +186,9 @@ void correlate(Ranking& ranking, std::size_t ranked) {
   std::vector<double> loads, formulas;
   for (std::size_t i = 0; i < ranked; ++i) {
     const RankedDesign& row = ranking.rows[i];
-    if (!std::isfinite(row.mean_load) || !std::isfinite(row.lindqvist_breaking)) continue;
+    if (!std::isfinite(row.mean_load) || !std::isfinite(row.lindqvist)) continue;
     loads.push_back(row.mean_load);
-    formulas.push_back(row.lindqvist_breaking);
+    formulas.push_back(row.lindqvist);
   }
   ranking.spearman = spearman_correlation(loads, formulas);
   ranking.spearman_n = static_cast<int>(loads.size());
@@ -327,6 +345,8 @@ Json to_json(const Ranking& ranking) {
                        {"solver_load_N", number_json(row.solver_load)},
                        {"solver_load_ci95_N", number_json(row.solver_ci95)},
                        {"lindqvist_breaking_N", number_json(row.lindqvist_breaking)},
+                       {"lindqvist_N", number_json(row.lindqvist)},
+                       {"lindqvist_part", row.whole_load ? "total" : "breaking"},
                        {"ratio", number_json(row.ratio)},
                        {"rank", row.rank},
                        {"tied_with_next", row.tied_with_next},
@@ -339,6 +359,14 @@ Json to_json(const Ranking& ranking) {
           {"confirmed", confirmed_json(ranking.confirmed)},
           {"spearman", number_json(ranking.spearman)},
           {"spearman_n", ranking.spearman_n}};
+}
+
+std::string compared_part(const Ranking& ranking) {
+  bool whole = false, part = false;
+  for (const RankedDesign& row : ranking.rows) {
+    if (row.rank > 0) (row.whole_load ? whole : part) = true;
+  }
+  return whole && part ? "total or breaking" : whole ? "total" : "breaking";
 }
 
 }  // namespace icebow

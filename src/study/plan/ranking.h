@@ -31,7 +31,11 @@ struct RankedDesign {
       std::numeric_limits<double>::quiet_NaN();  // where corrected: by which ties are told
   double solver_load = std::numeric_limits<double>::quiet_NaN(), solver_ci95 = solver_load;
   double lindqvist_breaking = std::numeric_limits<double>::quiet_NaN();  //!< [N]
-  double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / Lindqvist's breaking part
+  // What the mean load is compared with: Lindqvist's total where the simulated load is a whole one (ice with
+  // weight and lift), his breaking part where it is of breaking alone or nothing was simulated [N]
+  double lindqvist = std::numeric_limits<double>::quiet_NaN();
+  bool whole_load = false;
+  double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / `lindqvist`
 };
 
 struct Ranking {
@@ -64,9 +68,12 @@ std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evalu
 // (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.
 double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
+// "total", "breaking", or "total or breaking" where designs differ: of `lindqvist` over the ranked designs.
+std::string compared_part(const Ranking& ranking);
+
 // Full-scale values in N; the keys of `icebow rank --json`: design, status, reason, parameters, mean_load_N,
-// mean_load_ci95_N, runs, ci95_series_N, ci95_repeats_N, lindqvist_breaking_N, ratio, rank, tied_with_next,
-// tied_with_best; and "warnings". NaN becomes null.
+// mean_load_ci95_N, runs, ci95_series_N, ci95_repeats_N, lindqvist_breaking_N, lindqvist_N and lindqvist_part
+// (what ratio compares with), ratio, rank, tied_with_next, tied_with_best; and "warnings". NaN becomes null.
 Json to_json(const Ranking& ranking);
 
 }  // namespace icebow

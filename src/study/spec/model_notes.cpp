@@ -14,7 +14,7 @@ void note_on_calibrated_ice(const Case& c, std::vector<std::string>& notes) {
       c.water.drag > 0.0 && (c.water.added_mass > 0.0 || c.water.inertia == WaterInertia::plane);
   if (!c.numerics.floe_contact || !water_moves)
     notes.push_back(
-        "calibrated ice whose pieces pass through each other or move no water has a third of the mean load "
+        "calibrated ice whose pieces pass through each other or move no water lacks most of the mean load "
         "that it has with solver.floe_contact, water.added_mass_m and water.drag (docs/validation.md)");
   if (std::lround(c.ice.h / c.numerics.dx) < 3)
     notes.push_back(

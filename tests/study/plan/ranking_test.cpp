@@ -54,6 +54,33 @@ TEST_CASE("ranked by load, ties where intervals overlap") {
   CHECK(r.spearman_n == 4);
 }
 
+TEST_CASE(
+    "a whole load is compared with the formula's total, a load of breaking alone with its breaking part") {
+  Evaluation whole = design("whole", 300, 1, 100), part = design("part", 50, 1, 100);
+  whole.result["simulation"] = {{"load", "whole"}};
+  part.result["simulation"] = {{"load", "breaking"}};
+  for (Evaluation* e : {&whole, &part}) e->result["lindqvist"]["total_N"] = 200.0;
+  const Ranking r = rank_designs({whole, part}, "mean_load");
+  CHECK(r.rows[0].ratio == 0.5);
+  CHECK(r.rows[1].ratio == 1.5);
+  CHECK(compared_part(r) == "total or breaking");
+  CHECK(compared_part(rank_designs({whole}, "mean_load")) == "total");
+  CHECK(compared_part(rank_designs({part}, "mean_load")) == "breaking");
+}
+
+TEST_CASE("what published ice amounts to is said once for each ice") {
+  Evaluation a = design("a", 100, 1, 1), b = design("b", 200, 1, 2), c = design("c", 300, 1, 3);
+  for (Evaluation* e : {&a, &b})
+    e->result["simulation"]["ice"] = {{"model", "paper"}, {"sentence", "ice: the published model; strong"}};
+  c.result["simulation"]["ice"] = {{"model", "calibrated"}, {"sentence", "ice: calibrated"}};
+  int told = 0;
+  for (const std::string& w : rank_designs({a, b, c}, "mean_load").warnings) {
+    told += w == "ice: the published model; strong";
+    CHECK(w != "ice: calibrated");
+  }
+  CHECK(told == 1);
+}
+
 TEST_CASE("a record too short for an interval is tied with everybody") {
   Evaluation shorter = design("short", 100, 1, 1);
   shorter.result["metrics"]["full_scale"]["mean_load_ci95_N"] = nullptr;  // infinite

@@ -60,7 +60,10 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   check_ulps(c.bow.angles.stem, 24.35 * pi / 180);
   check_ulps(c.V, 4.0 * 1852 / 3600);
   CHECK(c.ice.E == 1.3e9);
-  CHECK(c.ice.K_I == 7.5e6);
+  CHECK(c.ice_model == IceModel::calibrated);
+  CHECK(c.numerics.floe_contact);
+  CHECK(c.water.added_mass == 4.0 * c.ice.h);
+  CHECK(c.water.drag == 1.2);
   CHECK(c.ice.s0 == 0);
   CHECK(c.numerics.friction == 0.1);
   CHECK(c.water.rho == 1025);
@@ -69,7 +72,7 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(c.steady_from == Approx(0.55 * 23));
   CHECK(c.sheet.width == Approx(3.5 * 23));
   CHECK(c.sheet.length == Approx(2.75 * 23 + 32.5 + 23));
-  CHECK_FALSE(c.sheet.half_model);
+  CHECK(c.sheet.half_model);
   CHECK(c.numerics.dx == Approx(1.0 / 3));
   CHECK(c.numerics.dt == 0);
   CHECK(c.bow.belt_below == 1.5);
@@ -120,6 +123,25 @@ TEST_CASE("the formula's beam is that of the channel, reamers included") {
             .pointer == "/sheet/width_m");
 }
 
+TEST_CASE("the published ice is asked for by name, and is alone with its water and its pieces") {
+  const Case c = read_case(with(R"({"ice": {"model": "paper"}})"), "t.json");
+  CHECK(c.ice_model == IceModel::paper);
+  CHECK(c.ice.K_I == 7.5e6);
+  CHECK_FALSE(c.numerics.floe_contact);
+  CHECK_FALSE(c.sheet.half_model);
+  CHECK(c.water.added_mass == 0.0);
+  CHECK(c.water.drag == 0.0);
+  const Mistake toughness = only_mistake(with(R"({"ice": {"fracture_toughness_MPa_sqrt_m": 7.5}})"));
+  CHECK(toughness.pointer == "/ice/fracture_toughness_MPa_sqrt_m");
+  CHECK(toughness.message.find("\"model\": \"paper\"") != std::string::npos);
+}
+
+TEST_CASE("calibrated ice without water under it has no added mass") {
+  const Case c = read_case(with(R"({"water": {"buoyancy_and_gravity": false}})"), "t.json");
+  CHECK(c.water.added_mass == 0.0);
+  CHECK(c.water.drag == 0.0);
+}
+
 TEST_CASE("angles given at B/4: the flare is derived, the entrance is the same unless given") {
   const auto angles = [](const std::string& more) {
     return read_case(with(R"({"bow": {"angles_at": "quarter_beam", "waterline_deg": 20, "flare_deg": null)" +
@@ -138,12 +160,13 @@ TEST_CASE("angles given at B/4: the flare is derived, the entrance is the same u
 }
 
 TEST_CASE("values given at model scale come back to the solver as they were given") {
-  const Case c = read_case(with(R"({"ice": {"scale": "model", "thickness_m": 0.04, "elastic_modulus_MPa": 52,
+  const Case c = read_case(
+      with(R"({"ice": {"model": "paper", "scale": "model", "thickness_m": 0.04, "elastic_modulus_MPa": 52,
       "fracture_toughness_kPa_sqrt_m": 60, "friction": 0.07, "density_kg_m3": 826.6},
     "sheet": {"scale": "model", "length_m": 6.5, "width_m": 3.25, "half_model": true},
     "operation": {"scale": "model", "speed_kn": null, "speed_m_s": 0.4116, "advance_m": 2.5, "steady_from_m": 0.5},
     "solver": {"scale": "model", "spacing_m": 0.013, "time_step_s": 2e-5}})"),
-                           "t.json");
+      "t.json");
   check_ulps(c.ice.E, 1.3e9);
   check_ulps(c.ice.K_I, 7.5e6);
   check_ulps(c.V, 2.058);
@@ -167,7 +190,7 @@ TEST_CASE("values given at model scale come back to the solver as they were give
 TEST_CASE("the round trip holds at an awkward scale") {
   Json document =
       with(R"({"scale": 17.3, "solver": {"scale": "model", "spacing_m": 0.02, "time_step_s": 3e-5},
-    "ice": {"scale": "model", "thickness_m": 0.06, "fracture_toughness_Pa_sqrt_m": 61234.5}})");
+    "ice": {"model": "paper", "scale": "model", "thickness_m": 0.06, "fracture_toughness_Pa_sqrt_m": 61234.5}})");
   const Scenario s = model_scenario(read_case(document, "t.json"));
   check_ulps(s.numerics.dx, 0.02);
   check_ulps(s.numerics.dt, 3e-5);
@@ -230,7 +253,7 @@ TEST_CASE("values that contradict each other are found at the scale of the file"
   CHECK(only_mistake(with(R"({"sheet": {"scale": "model", "width_m": 0.9}})")).pointer == "/sheet/width_m");
   CHECK(mistakes_of(with(R"({"sheet": {"scale": "model", "width_m": 0.93}})")).empty());
   CHECK(only_mistake(with(R"({"solver": {"spacing_cm": 101}})")).pointer == "/solver/spacing_cm");
-  CHECK(mistakes_of(with(R"({"solver": {"spacing_cm": 100}})")).empty());
+  CHECK(mistakes_of(with(R"({"ice": {"model": "paper"}, "solver": {"spacing_cm": 100}})")).empty());
   CHECK(only_mistake(with(R"({"operation": {"advance_m": 40, "steady_from_m": 40}})")).pointer ==
         "/operation/steady_from_m");
 }
