@@ -32,9 +32,10 @@ double beam(const Json& result) {
   return number(result, "/ship/B_m");
 }  //!< [m]
 
+// A simulation says so; the cycle's load is whole where it has submersion.
 bool is_whole_load(const Json& result) {
   const Json::json_pointer at("/simulation/load");
-  return result.contains(at) && result.at(at) == "whole";
+  return result.contains(at) ? result.at(at) == "whole" : number(result, "/cycle/submersion_N") > 0.0;
 }
 
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
