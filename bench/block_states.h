@@ -29,10 +29,11 @@ void put_into(IceSheet& sheet, IceState state);
 
 struct StateCost {
   const char* name;
-  double ns_per_bond;  //!< of a step's bonds and drift, per directed bond
+  double ns_per_bond;      //!< of a step's bonds and drift, per directed bond: the fastest step
+  double cpu_ns_per_bond;  //!< mean CPU time likewise: what a machine that is not quiet makes of it
 };
-// On one rank, of sheets as large as a small run's; ice of the scenario where it has a tensile strength.
-std::vector<StateCost> state_costs(const Scenario& like, int layers);
+// On one rank, of sheets as large as a small run's.
+std::vector<StateCost> state_costs(int layers);
 
 struct StateShare {
   const char* name;
