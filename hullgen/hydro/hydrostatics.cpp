@@ -154,6 +154,14 @@ Hydrostatics hydrostatics(const QuadMesh& mesh, const Flotation& at, double wate
   return h;
 }
 
+double displaced_volume(const QuadMesh& mesh, double level) {
+  return moments(wetted_hull(mesh, WaterFrame({level, 0.0, 0.0})).triangles).volume;
+}
+
+double immersed_section(const QuadMesh& mesh, double level, double x) {
+  return section_area(wetted_hull(mesh, WaterFrame({level, 0.0, 0.0})).triangles, x, true);
+}
+
 std::vector<SectionArea> sectional_areas(const QuadMesh& mesh, const Flotation& at, int stations) {
   // Sheared, not turned: the surface becomes level and sections keep their plane, areas and heights.
   QuadMesh level = mesh;

@@ -43,6 +43,11 @@ struct Hydrostatics {
 // the surface does not cut the hull.
 Hydrostatics hydrostatics(const QuadMesh& mesh, const Flotation& at, double water_density);
 
+// Volume under the level surface z = level [m^3]; 0 where that passes below the hull.
+double displaced_volume(const QuadMesh& mesh, double level);
+// Area of the section at x under the level surface [m^2]; 0 where there is none.
+double immersed_section(const QuadMesh& mesh, double level, double x);
+
 struct SectionArea {
   double x;     //!< [m]
   double area;  //!< of the immersed section, perpendicular to x [m^2]

@@ -76,7 +76,8 @@ Slopes slopes_of(const QuadMesh& mesh) {
   return slopes_of(m.angles, m.P0.x() / m.beam);
 }
 
-// Newton's method; the slopes are linear in the controls, so the second step only removes rounding.
+// Newton's method; the slopes are linear in the controls as long as the same points are asked, so it ends
+// soon.
 Controls solved(const ImportedHull& hull, const DeformationBox& box, const BowAngles& asked) {
   const double unit = 0.01 * hull.B;
   const Slopes wanted = slopes_of(asked, 0.0), before = slopes_of(hull.mesh);
@@ -85,7 +86,11 @@ Controls solved(const ImportedHull& hull, const DeformationBox& box, const BowAn
     gradient.col(k) = (slopes_of(moved(hull.mesh, box, unit * Controls::Unit(k))) - before) / unit;
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse{Eigen::MatrixXd(gradient)};
   Controls d = inverse.solve(wanted - before);
-  d += inverse.solve(wanted - slopes_of(moved(hull.mesh, box, d)));
+  for (int step = 0; step < 6; ++step) {
+    const Slopes off = wanted - slopes_of(moved(hull.mesh, box, d));
+    if (!off.allFinite() || off.cwiseAbs().maxCoeff() < 1e-9) break;
+    d += inverse.solve(off);
+  }
   return d;
 }
 

@@ -3,11 +3,15 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "geometry/mesh_slice.h"
+#include "hullgen/import/surface_normal.h"
+#include "hullgen/import/waterline.h"
 
 namespace icebow {
 namespace {
@@ -16,69 +20,140 @@ constexpr double window_share = 1.0 / 40.0;  // of the beam
 // Of the beam. Corners of a cut that are nearer to each other count as one: where a diagonal crosses the cut
 // close to an edge, the slope between the two is noise.
 constexpr double same_share = 1.0 / 200.0;
+constexpr double reach_share =
+    1.0 / 4.0;  // of the beam: how far points may be that say what the surface does
 constexpr int y_axis = 1, z_axis = 2;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double knuckle = radians(20.0), slight_knuckle = radians(1.0);
 
-// One corner of a cut: s against the coordinate along the cut.
+// One corner of a cut: s against the coordinate along the cut. A corner that is a point of the mesh lies on
+// the hull; any other is where the cut crosses a panel's edge, and lies a little inside a hollow, or outside.
 struct Sample {
   double along, s;
+  bool point;
 };
 using Row = std::vector<Sample>;
 
-// A cut on both sides of the point where it passes `at`: `before` has the smaller coordinates.
+// A cut on both sides of the place where it passes `at`: `before` has the smaller coordinates.
 struct Cut {
   bool found = false;
-  Vec3 point = Vec3::Zero();
+  Vec3 place = Vec3::Zero();
   Row before, after;
 };
 
-// From a corner of a closed line on, as long as the coordinate moves away from `at`.
-Row walk(const Polyline& loop, std::size_t from, int step, int axis, double at, double same) {
+// A plane cut and the mesh's points in it.
+class PlaneCut {
+ public:
+  PlaneCut(const QuadMesh& mesh, int axis, double at, double same)
+      : loops_(slice(mesh, axis, at)), same_(same) {
+    for (const Vec3& p : mesh.points)
+      if (std::abs(p[axis] - at) <= 1e-4 * same) points_.push_back(p);
+    std::sort(points_.begin(), points_.end(), [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); });
+  }
+
+  // Where its lines pass `at` farthest forward, or nearest to `x` where that is given.
+  Cut crossing(int along, double at, double x = none) const;
+
+ private:
+  bool is_point(const Vec3& p) const {
+    const double near = 1e-3 * same_;
+    auto k = std::lower_bound(points_.begin(), points_.end(), p.x() - near,
+                              [](const Vec3& q, double value) { return q.x() < value; });
+    for (; k != points_.end() && k->x() <= p.x() + near; ++k)
+      if ((*k - p).norm() <= near) return true;
+    return false;
+  }
+  Row walk(const Polyline& loop, std::size_t from, int step, int along, double at) const;
+
+  std::vector<Polyline> loops_;
+  std::vector<Vec3> points_;
+  double same_;
+};
+
+// From a corner of a closed line on, as long as the coordinate moves away from `at` and the line has no
+// knuckle.
+Row PlaneCut::walk(const Polyline& loop, std::size_t from, int step, int along, double at) const {
   const std::size_t n = loop.size() - 1;  // the last point is the first again
   Row row;
   double reached = -1.0;
   for (std::size_t k = 0, i = from; k < n; ++k, i = (i + n + step) % n) {
-    const double away = std::abs(loop[i][axis] - at);
-    if (away < reached - same) break;
-    if (away > reached + same) {
-      row.push_back({loop[i][axis], -loop[i].x()});
+    const double away = std::abs(loop[i][along] - at);
+    if (away < reached - same_) break;
+    if (away > reached + same_ ||
+        (away > reached && !row.empty() && !row.back().point && is_point(loop[i]))) {
+      if (away <= reached + same_) row.pop_back();  // a point of the mesh beside a crossing says more
+      row.push_back({loop[i][along], -loop[i].x(), is_point(loop[i])});
       reached = away;
     }
   }
   return row;
 }
 
-// Where the lines of a cut pass `at` farthest forward.
-Cut foremost(const std::vector<Polyline>& loops, int axis, double at, double same) {
+Cut PlaneCut::crossing(int along, double at, double x) const {
   const Polyline* best = nullptr;
   std::size_t corner = 0;
   Cut cut;
-  for (const Polyline& loop : loops)
+  for (const Polyline& loop : loops_)
     for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
       const Vec3 &p = loop[k], &q = loop[k + 1];
-      if ((p[axis] >= at) == (q[axis] >= at)) continue;
-      const Vec3 point = p + (at - p[axis]) / (q[axis] - p[axis]) * (q - p);
-      if (best != nullptr && point.x() <= cut.point.x()) continue;
+      if ((p[along] >= at) == (q[along] >= at)) continue;
+      const Vec3 place = p + (at - p[along]) / (q[along] - p[along]) * (q - p);
+      const bool better =
+          best == nullptr ||
+          (std::isnan(x) ? place.x() > cut.place.x() : std::abs(place.x() - x) < std::abs(cut.place.x() - x));
+      if (!better) continue;
       best = &loop;
       corner = k;
-      cut.point = point;
+      cut.place = place;
     }
   if (best == nullptr) return cut;
   cut.found = true;
   const std::size_t n = best->size() - 1;
-  cut.before = walk(*best, corner, -1, axis, at, same);
-  cut.after = walk(*best, (corner + 1) % n, +1, axis, at, same);
-  if ((*best)[corner][axis] >= at) std::swap(cut.before, cut.after);
-  // The point itself belongs to both sides, unless a corner is there already.
+  cut.before = walk(*best, corner, -1, along, at);
+  cut.after = walk(*best, (corner + 1) % n, +1, along, at);
+  if ((*best)[corner][along] >= at) std::swap(cut.before, cut.after);
+  // The place itself belongs to both sides, unless a corner is there already.
   for (Row* row : {&cut.before, &cut.after})
-    if (row->empty() || std::abs(row->front().along - at) > same)
-      row->insert(row->begin(), {at, -cut.point.x()});
+    if (row->empty() || std::abs(row->front().along - at) > same_)
+      row->insert(row->begin(), {at, -cut.place.x(), is_point(cut.place)});
   return cut;
 }
 
-Row both(const Cut& cut, double same) {
-  Row row = cut.before;
-  for (const Sample& s : cut.after)
-    if (std::abs(s.along - row.front().along) > same) row.push_back(s);
+// Up to the first knuckle: a turn of 20 deg, or of more than 1 deg and four times what the line turns beside
+// it.
+Row up_to_knuckle(const Row& row) {
+  std::vector<double> turn(row.size(), 0.0);
+  for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+    const auto heading = [&](std::size_t i) {
+      return std::atan2(row[i + 1].s - row[i].s, std::abs(row[i + 1].along - row[i].along));
+    };
+    turn[k] = std::abs(heading(k) - heading(k - 1));
+  }
+  for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+    const double beside = std::max(k > 1 ? turn[k - 1] : 0.0, k + 2 < row.size() ? turn[k + 1] : 0.0);
+    if (turn[k] > knuckle || (turn[k] > slight_knuckle && turn[k] > 4.0 * beside))
+      return {row.begin(), row.begin() + static_cast<std::ptrdiff_t>(k) + 1};
+  }
+  return row;
+}
+
+// The corners that are points of the mesh, up to the first knuckle; the others where those are fewer than
+// three.
+Row trusted(const Row& all) {
+  const Row row = up_to_knuckle(all);
+  Row points;
+  std::copy_if(row.begin(), row.end(), std::back_inserter(points), [](const Sample& s) { return s.point; });
+  return points.size() >= 3 ? points : row;
+}
+bool on_points(const Row& row) {
+  return row.size() >= 3 &&
+         std::all_of(row.begin(), row.begin() + 3, [](const Sample& s) { return s.point; });
+}
+
+Row both(const Row& before, const Row& after, double same) {
+  Row row = before;
+  for (const Sample& s : after)
+    if (row.empty() || std::abs(s.along - row.front().along) > same) row.push_back(s);
   return row;
 }
 
@@ -90,7 +165,7 @@ double slope(Row row, double at, double window) {
   });
   std::size_t n = 0;
   while (n < row.size() && (n < 3 || std::abs(row[n].along - at) <= window)) ++n;
-  if (n < 2) return std::numeric_limits<double>::quiet_NaN();
+  if (n < 2) return none;
   if (n == 2) return (row[1].s - row[0].s) / (row[1].along - row[0].along);
   Eigen::MatrixX3d powers(n, 3);
   Eigen::VectorXd s(n);
@@ -103,13 +178,6 @@ double slope(Row row, double at, double window) {
   return parabola[1] / window;
 }
 
-double beam_of(const std::vector<Polyline>& waterlines) {
-  double lower = 0.0, upper = 0.0;
-  for (const Polyline& loop : waterlines)
-    for (const Vec3& p : loop) lower = std::min(lower, p.y()), upper = std::max(upper, p.y());
-  return upper - lower;
-}
-
 void require(bool holds, const char* what, const QuadMesh& mesh) {
   if (holds) return;
   const Box box = bounding_box(mesh);
@@ -119,31 +187,172 @@ void require(bool holds, const char* what, const QuadMesh& mesh) {
       what, box.lower.z(), box.upper.z(), box.lower.y(), box.upper.y()));
 }
 
+// Cotangents at P0 and P1, each where it can be read.
+struct Slopes {
+  double stem = none, waterline = none, buttock = none, quarter = none;
+};
+
+// From the surface's normal: d s / d y and -d s / d z.
+double along_y(const Vec3& n) {
+  return n.y() / n.x();
+}
+double along_z(const Vec3& n) {
+  return -n.z() / n.x();
+}
+
+class Measuring {
+ public:
+  Measuring(const QuadMesh& mesh, const SurfaceNormals& normals) : mesh_(mesh), normals_(normals) {}
+
+  HullMeasurement measured();
+
+ private:
+  void read_stem(const Cut& profile);
+  void read_entrance(const Cut& entrance);
+  void read_quarter(const Cut& waterline, const Cut& buttock);
+  SurfaceNormal normal(const Vec3& at, const Vec3& seed, double inboard, bool curvature_jumps) const {
+    return normals_.at({at, seed, inboard, reach_share * result_.beam, curvature_jumps});
+  }
+  // The waterline a little outboard of a place on it.
+  Vec3 outboard_of(double y) const;
+  void take_spread(double& of, double angle, double other) const {
+    if (std::isfinite(other)) of = std::max(of, std::abs(angle - other));
+  }
+
+  const QuadMesh& mesh_;
+  const SurfaceNormals& normals_;
+  HullMeasurement result_;
+  Polyline side_;
+  StemBar bar_;
+  double window_ = 0.0, same_ = 0.0;
+  Slopes slopes_;
+};
+
+Vec3 Measuring::outboard_of(double y) const {
+  for (std::size_t k = 0; k + 1 < side_.size(); ++k) {
+    const Vec3 &p = side_[k], &q = side_[k + 1];
+    if (q.y() <= y) continue;
+    return y <= p.y() ? Vec3(0.5 * (p + q)) : Vec3(p + (y - p.y()) / (q.y() - p.y()) * (q - p));
+  }
+  return side_.empty() ? Vec3::Zero() : side_.back();
+}
+
+void Measuring::read_stem(const Cut& profile) {
+  const Row before = trusted(profile.before), after = trusted(profile.after);
+  const Row row = both(before, after, same_);
+  slopes_.stem = -slope(row, 0.0, window_);
+  const double angle = std::atan2(1.0, slopes_.stem);
+  take_spread(result_.spread.stem, angle, std::atan2(1.0, -slope(row, 0.0, 2.0 * window_)));
+}
+
+void Measuring::read_entrance(const Cut& entrance) {
+  Row row = entrance.after;
+  row.erase(
+      std::remove_if(row.begin(), row.end(), [&](const Sample& s) { return s.along < bar_.half_width; }),
+      row.end());
+  row = trusted(row);
+  const Vec3 seed = outboard_of(std::max(bar_.half_width, 1e-3 * result_.beam));
+  const SurfaceNormal fit = normal({seed.x(), 0.0, 0.0}, seed, bar_.half_width * (1.0 - 1e-6), false);
+  const double from_fit = fit.found ? std::atan2(fit.normal.x(), fit.normal.y()) : none;
+  const double from_cut = std::atan2(1.0, slope(row, 0.0, window_));
+  // A single panel says less than the line across it and the next.
+  const bool cut = on_points(row) || !fit.found || (fit.points <= 4 && row.size() >= 3);
+  const double angle = cut ? from_cut : from_fit;
+  slopes_.waterline = 1.0 / std::tan(angle);
+  if (angle == std::atan2(1.0, 0.0)) slopes_.waterline = 0.0;
+  result_.spread.waterline = fit.found && !cut ? fit.spread : 0.0;
+  take_spread(result_.spread.waterline, angle, cut ? from_fit : none);
+}
+
+void Measuring::read_quarter(const Cut& waterline, const Cut& buttock) {
+  const double yq = result_.beam / 4.0;
+  const Row fore = trusted(waterline.before), aft = trusted(waterline.after);
+  const Row up = trusted(buttock.before), down = trusted(buttock.after);
+  const Row run = both(up, down, same_);
+  const SurfaceNormal fit = normal(waterline.place, waterline.place, -1e300, true);
+  const double quarter = 0.5 * (slope(fore, yq, window_) + slope(aft, yq, window_));
+  const double cot_buttock = -slope(run, 0.0, window_);
+  const bool lines = fore.size() >= 2 && aft.size() >= 2 && run.size() >= 3;
+  const bool cut =
+      (on_points(fore) && on_points(aft) && on_points(run)) || !fit.found || (fit.points <= 4 && lines);
+  slopes_.quarter = cut || std::abs(fit.normal.x()) < 1e-9 ? quarter : along_y(fit.normal);
+  slopes_.buttock = cut || std::abs(fit.normal.x()) < 1e-9 ? cot_buttock : along_z(fit.normal);
+  const double a = std::atan2(1.0, slopes_.quarter), g = std::atan2(1.0, slopes_.buttock),
+               b = std::atan2(slopes_.buttock + 0.0, slopes_.quarter + 0.0);
+  const Vec3 n = fit.normal;
+  if (fit.found && cut) {
+    take_spread(result_.spread_at_quarter_beam, a, std::atan2(n.x(), n.y()));
+    take_spread(result_.spread.buttock, g, std::atan2(n.x(), -n.z()));
+    take_spread(result_.spread.flare, b, std::atan2(-n.z(), n.y()));
+  } else if (fit.found) {
+    result_.spread_at_quarter_beam = result_.spread.buttock = result_.spread.flare = fit.spread;
+  }
+}
+
+HullMeasurement Measuring::measured() {
+  const Waterline waterline = waterline_at(mesh_, 0.0);
+  result_.beam = waterline.port - waterline.starboard;
+  require(result_.beam > 0.0, "the waterline does not cut the hull", mesh_);
+  const double yq = result_.beam / 4.0;
+  window_ = window_share * result_.beam;
+  same_ = same_share * result_.beam;
+  side_ = port_side_from_stem(waterline);
+  require(!side_.empty(), "the waterline does not meet the centre plane", mesh_);
+  bar_ = stem_bar(side_, result_.beam);
+  result_.stem_radius = bar_.radius;
+  const PlaneCut level(mesh_, z_axis, 0.0, same_);
+  const Cut entrance = level.crossing(y_axis, 0.0, side_.front().x());
+  const Cut profile = PlaneCut(mesh_, y_axis, 0.0, same_).crossing(z_axis, 0.0, side_.front().x());
+  const Cut quarter = level.crossing(y_axis, yq, outboard_of(yq).x());
+  const Cut buttock = PlaneCut(mesh_, y_axis, yq, same_).crossing(z_axis, 0.0, quarter.place.x());
+  require(profile.found && entrance.found && buttock.found && quarter.found,
+          "the waterline does not meet the centre plane or the plane at B/4", mesh_);
+  result_.P0 = entrance.place;
+  result_.P1 = quarter.place;
+  read_stem(profile);
+  read_entrance(entrance);
+  read_quarter(quarter, buttock);
+  // +0 for -0: a vertical front has no slope either way, and its flare is 0.
+  result_.angles = {std::atan2(1.0, slopes_.stem), std::atan2(1.0, slopes_.waterline),
+                    std::atan2(1.0, slopes_.buttock),
+                    std::atan2(slopes_.buttock + 0.0, slopes_.quarter + 0.0)};
+  result_.waterline_at_quarter_beam = std::atan2(1.0, slopes_.quarter);
+  result_.flare_at_stem = std::atan2(slopes_.stem + 0.0, slopes_.waterline + 0.0);  // (2)
+  return result_;
+}
+
+HullMeasurement measured_port(const QuadMesh& mesh) {
+  const SurfaceNormals normals(mesh);
+  return Measuring(mesh, normals).measured();
+}
+
+QuadMesh mirror_image(QuadMesh mesh) {
+  for (Vec3& p : mesh.points) p.y() = -p.y();
+  for (std::size_t k = 0; k < mesh.quads.size(); ++k) {
+    auto& q = mesh.quads[k];
+    q = mesh.is_triangle(k) ? std::array<int, 4>{q[0], q[2], q[1], q[1]}
+                            : std::array<int, 4>{q[0], q[3], q[2], q[1]};
+  }
+  return mesh;
+}
+
 }  // namespace
 
 HullMeasurement measure_hull(const QuadMesh& mesh) {
-  const std::vector<Polyline> waterlines = slice(mesh, z_axis, 0.0);
-  HullMeasurement result;
-  result.beam = beam_of(waterlines);
-  require(result.beam > 0.0, "the waterline does not cut the hull", mesh);
-  const double yq = result.beam / 4.0, window = window_share * result.beam, same = same_share * result.beam;
-  const Cut stem = foremost(slice(mesh, y_axis, 0.0), z_axis, 0.0, same);
-  const Cut entrance = foremost(waterlines, y_axis, 0.0, same);
-  const Cut buttock = foremost(slice(mesh, y_axis, yq), z_axis, 0.0, same);
-  const Cut quarter = foremost(waterlines, y_axis, yq, same);
-  require(stem.found && entrance.found && buttock.found && quarter.found,
-          "the waterline does not meet the centre plane or the plane at B/4", mesh);
-  const double cot_stem = -slope(both(stem, same), 0.0, window);
-  const double cot_waterline = slope(entrance.after, 0.0, window);
-  const double cot_buttock = -slope(both(buttock, same), 0.0, window);
-  const double cot_quarter = 0.5 * (slope(quarter.before, yq, window) + slope(quarter.after, yq, window));
-  result.angles = {std::atan2(1.0, cot_stem), std::atan2(1.0, cot_waterline), std::atan2(1.0, cot_buttock),
-                   std::atan2(cot_buttock, cot_quarter)};
-  result.waterline_at_quarter_beam = std::atan2(1.0, cot_quarter);
-  result.flare_at_stem = std::atan2(cot_stem, cot_waterline);  // (2)
-  result.P0 = entrance.point;
-  result.P1 = quarter.point;
-  return result;
+  return measured_port(mesh);
+}
+
+HullMeasurement measure_both_sides(const QuadMesh& mesh) {
+  HullMeasurement port = measured_port(mesh);
+  port.starboard = measured_port(mirror_image(mesh)).angles;
+  const auto widen = [](double& spread, double a, double b) {
+    if (std::isfinite(a) && std::isfinite(b)) spread = std::max(spread, 0.5 * std::abs(a - b));
+  };
+  widen(port.spread.stem, port.angles.stem, port.starboard.stem);
+  widen(port.spread.waterline, port.angles.waterline, port.starboard.waterline);
+  widen(port.spread.buttock, port.angles.buttock, port.starboard.buttock);
+  widen(port.spread.flare, port.angles.flare, port.starboard.flare);
+  return port;
 }
 
 }  // namespace icebow

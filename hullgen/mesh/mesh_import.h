@@ -4,13 +4,18 @@
 #include <string>
 
 #include "geometry/quad_mesh.h"
+#include "hullgen/mesh/mesh_bytes.h"
+#include "hullgen/mesh/mesh_repairs.h"
 
 namespace icebow {
 
-// The panels of an .obj, .stl (either kind) or .ply file, coordinates as they stand there. Points that are
-// the same to the last bit become one, as STL repeats them. Panels of more than four corners are split into
-// triangles; their number is added to `split`. Throws InputError naming the file, in an OBJ the line too.
-QuadMesh read_mesh(const std::string& path, int& split);
+// Whether the name ends as those of mesh files do: .obj, .stl or .ply, in any case.
+bool is_mesh_file(const std::string& path);
+
+// The panels of an .obj, .stl (either kind) or .ply file, coordinates as they stand there. Panels of more
+// than four corners are split into triangles and counted in `repairs`, with what the reader had to
+// understand. Throws InputError naming the file, and the line, row or byte.
+QuadMesh read_mesh(const std::string& path, MeshRepairs& repairs, const ImportProgress& progress = {});
 
 // How a file's coordinates are meant.
 struct MeshFrame {
@@ -23,9 +28,5 @@ struct MeshFrame {
 
 // In metres with x forward, y to port and z up from the waterline.
 QuadMesh in_hull_frame(const QuadMesh& mesh, const MeshFrame& frame);
-
-// y counted from the middle of the mesh where that is off y = 0 by more than 1e-6 of the width, as the centre
-// plane is asked for.
-QuadMesh centred(const QuadMesh& mesh);
 
 }  // namespace icebow

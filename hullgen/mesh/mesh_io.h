@@ -3,16 +3,15 @@
 
 #include <string>
 
-#include "hullgen/mesh/polygon_mesh.h"
+#include "geometry/quad_mesh.h"
 
 namespace icebow {
 
-// The format follows the ending: .obj, .stl, .ply or .vtp. Throws InputError for another ending, RuntimeError
-// where the file cannot be written.
+// The format follows the ending: .obj, .stl, .ply or .vtp, in any case. Throws InputError for another ending,
+// RuntimeError where the file cannot be written.
 void write_mesh(const std::string& path, const QuadMesh& mesh);
 
-// Points and panels of a Wavefront OBJ, corners counted from the first point or (negative) back from the
-// last; groups named as patches give the patch. Throws InputError with file and line.
-PolygonMesh read_obj(const std::string& path);
+// What follows the last point of a file's name, the point too, in small letters whatever the name has.
+std::string ending_of(const std::string& path);
 
 }  // namespace icebow

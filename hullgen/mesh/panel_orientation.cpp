@@ -3,72 +3,76 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "hullgen/mesh/mesh_edges.h"
+#include "hullgen/mesh/mesh_holes.h"
 
 namespace icebow {
 namespace {
 
-struct Side {
-  int panel;
-  bool forward;  // the panel runs from the lower to the higher point
-};
-using Edges = std::map<std::pair<int, int>, std::vector<Side>>;
-
-Edges edges_of(const QuadMesh& mesh) {
-  Edges edges;
-  for (std::size_t p = 0; p < mesh.quads.size(); ++p)
-    for (int k = 0; k < 4; ++k) {
-      const int a = mesh.quads[p][k], b = mesh.quads[p][(k + 1) % 4];
-      if (a != b) edges[std::minmax(a, b)].push_back({static_cast<int>(p), a < b});
-    }
-  return edges;
+Vec3 middle(const QuadMesh& mesh, const EdgeUse& edge) {
+  return 0.5 * (mesh.points[edge.lower] + mesh.points[edge.upper]);
 }
 
-Vec3 middle(const QuadMesh& mesh, const std::pair<int, int>& edge) {
-  return 0.5 * (mesh.points[edge.first] + mesh.points[edge.second]);
+std::string place(const Vec3& p) {
+  return text("(%g, %g, %g) m", p.x(), p.y(), p.z());
 }
 
-// All on one flat side of the mesh: half a hull.
-bool on_one_side(const QuadMesh& mesh, const std::vector<std::pair<int, int>>& open) {
+// Half a hull: most of its open edges lie along the ship, near one flat side of it. How far off the plane y =
+// 0 of the file they lie is for the message.
+std::string advice(const QuadMesh& mesh, const std::vector<EdgeUse>& open) {
   const Box box = bounding_box(mesh);
-  const double near = 1e-3 * (box.upper.y() - box.lower.y());
+  const double width = box.upper.y() - box.lower.y();
+  const auto farthest_from = [&](double y) {
+    double farthest = 0.0;
+    for (const EdgeUse& edge : open)
+      for (const int k : {edge.lower, edge.upper})
+        farthest = std::max(farthest, std::abs(mesh.points[k].y() - y));
+    return farthest;
+  };
   for (const double y : {box.lower.y(), box.upper.y()})
-    if (std::all_of(open.begin(), open.end(),
-                    [&](const auto& edge) { return std::abs(middle(mesh, edge).y() - y) <= near; }))
-      return true;
-  return false;
+    if (farthest_from(y) <= 0.02 * width)
+      return "all lie in one plane along the ship; if this is one side of a hull, ask for its mirror image "
+             "(\"mirror\": true in a study, --mirror of icebow measure)";
+  if (farthest_from(0.0) <= 0.02 * width)
+    return text(
+        "all lie within %.3g m of the centre plane: the two sides do not meet there; let the rim of the half "
+        "lie in "
+        "the plane",
+        farthest_from(0.0));
+  return "close deck and transom, and let panels meet corner to corner";
 }
 
-void refuse_open(const QuadMesh& mesh, const std::vector<std::pair<int, int>>& open,
-                 const std::string& path) {
+void refuse_open(const QuadMesh& mesh, const std::vector<EdgeUse>& open, const std::string& path) {
   if (open.empty()) return;
-  const Vec3 at = middle(mesh, open.front());
+  const std::vector<OpenLoop> loops = open_loops(mesh);
+  std::string widest;
+  if (!loops.empty()) {
+    const OpenLoop& loop = *std::max_element(
+        loops.begin(), loops.end(), [](const OpenLoop& a, const OpenLoop& b) { return a.across < b.across; });
+    widest = text(" in %zu %s, the widest %.3g m across", loops.size(), loops.size() == 1 ? "hole" : "holes",
+                  loop.across);
+  }
   throw InputError(text(
-      "%s: the mesh is not closed: %zu open edges, one at (%g, %g, %g) m in the frame of the hull: %s",
-      path.c_str(), open.size(), at.x(), at.y(), at.z(),
-      on_one_side(mesh, open)
-          ? "all lie in one plane along the ship; if this is one side of a hull, ask for its mirror image "
-            "(\"mirror\": true in a study, --mirror of icebow measure)"
-          : "close deck and transom, and let panels meet corner to corner"));
+      "%s: the mesh is not closed: %zu open edges%s, one at %s in the frame of the hull: %s", path.c_str(),
+      open.size(), widest.c_str(), place(middle(mesh, open.front())).c_str(), advice(mesh, open).c_str()));
 }
 
-void refuse_branches(const QuadMesh& mesh, const Edges& edges, const std::string& path) {
+void refuse_branches(const QuadMesh& mesh, const std::vector<EdgeUse>& uses, const std::string& path) {
   int branches = 0;
-  std::string first;
-  for (const auto& [edge, sides] : edges) {
-    if (sides.size() < 3 || branches++ > 0) continue;
-    const Vec3 at = middle(mesh, edge);
-    first = text("one joins %zu at (%g, %g, %g) m in the frame of the hull", sides.size(), at.x(), at.y(),
-                 at.z());
-  }
+  std::string first_one;
+  for_each_edge(uses, [&](const EdgeUse* first, const EdgeUse* last) {
+    if (last - first < 3 || branches++ > 0) return;
+    first_one = text("one joins %td at %s in the frame of the hull", last - first,
+                     place(middle(mesh, *first)).c_str());
+  });
   if (branches > 0)
     throw InputError(text(
         "%s: the mesh is not the surface of a body: %d edges join more than two panels, %s: remove inner "
         "walls, and surfaces that touch along an edge",
-        path.c_str(), branches, first.c_str()));
+        path.c_str(), branches, first_one.c_str()));
 }
 
 void turn_over(QuadMesh& mesh, int panel) {
@@ -86,24 +90,29 @@ double six_volumes(const QuadMesh& mesh, int panel) {
 // Walks over the panels of one surface after another.
 class Walk {
  public:
-  Walk(QuadMesh& mesh, const Edges& edges, const std::string& path)
-      : mesh_(mesh), path_(path), neighbours_(mesh.quads.size()), state_(mesh.quads.size(), unseen) {
-    for (const auto& [edge, sides] : edges) {
-      const bool agree = sides[0].forward != sides[1].forward;
-      neighbours_[sides[0].panel].push_back({sides[1].panel, agree});
-      neighbours_[sides[1].panel].push_back({sides[0].panel, agree});
-    }
+  Walk(QuadMesh& mesh, const std::vector<EdgeUse>& uses, const std::string& path)
+      : mesh_(mesh),
+        path_(path),
+        neighbours_(mesh.quads.size()),
+        state_(mesh.quads.size(), unseen),
+        empty_(mesh.quads.size(), 0) {
+    for_each_edge(uses, [&](const EdgeUse* first, const EdgeUse*) {
+      const bool agree = first[0].forward != first[1].forward;
+      neighbours_[first[0].panel].push_back({first[1].panel, agree});
+      neighbours_[first[1].panel].push_back({first[0].panel, agree});
+    });
   }
 
   int turn(int& turned) {
     int surfaces = 0;
     for (std::size_t p = 0; p < state_.size(); ++p) {
       if (state_[p] != unseen) continue;
-      turned += turn_surface(static_cast<int>(p));
-      ++surfaces;
+      if (turn_surface(static_cast<int>(p), turned)) ++surfaces;
     }
     return surfaces;
   }
+  // Panels of closed surfaces that enclose nothing, like two triangles back to back.
+  const std::vector<char>& empty() const { return empty_; }
 
  private:
   enum State : char { unseen, kept, turned_over };
@@ -112,19 +121,23 @@ class Walk {
     bool agrees;
   };
 
-  int turn_surface(int first) {
+  bool turn_surface(int first, int& turned) {
     const std::vector<int> surface = collect(first);
-    double volume = 0.0;
-    for (const int p : surface) volume += (state_[p] == kept ? 1.0 : -1.0) * six_volumes(mesh_, p) / 6.0;
-    const Vec3& at = mesh_.points[mesh_.quads[first][0]];
-    if (volume == 0.0)
-      throw InputError(text("%s: the closed surface through (%g, %g, %g) m encloses nothing: remove it",
-                            path_.c_str(), at.x(), at.y(), at.z()));
+    double volume = 0.0, area = 0.0;
+    for (const int p : surface) {
+      volume += (state_[p] == kept ? 1.0 : -1.0) * six_volumes(mesh_, p) / 6.0;
+      area += panel_area(mesh_, static_cast<std::size_t>(p));
+    }
+    // A tetrahedron of that area has 0.1 of area^1.5; what has a billionth of it is flat, and rounding says
+    // the sign.
+    if (std::abs(volume) <= 1e-9 * std::pow(area, 1.5)) {
+      for (const int p : surface) empty_[p] = 1;
+      return false;
+    }
     const State wrong = volume < 0.0 ? kept : turned_over;
-    int count = 0;
     for (const int p : surface)
-      if (state_[p] == wrong) turn_over(mesh_, p), ++count;
-    return count;
+      if (state_[p] == wrong) turn_over(mesh_, p), ++turned;
+    return true;
   }
 
   std::vector<int> collect(int first) {
@@ -152,18 +165,28 @@ class Walk {
   const std::string& path_;
   std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<State> state_;
+  std::vector<char> empty_;
 };
 
 }  // namespace
 
 int turn_outward(QuadMesh& mesh, const std::string& path, int& turned) {
-  const Edges edges = edges_of(mesh);
-  refuse_branches(mesh, edges, path);
-  std::vector<std::pair<int, int>> open;
-  for (const auto& [edge, sides] : edges)
-    if (sides.size() == 1) open.push_back(edge);
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
+  refuse_branches(mesh, uses, path);
+  std::vector<EdgeUse> open;
+  for_each_edge(uses, [&](const EdgeUse* first, const EdgeUse* last) {
+    if (last - first == 1) open.push_back(*first);
+  });
   refuse_open(mesh, open, path);
-  return Walk(mesh, edges, path).turn(turned);
+  Walk walk(mesh, uses, path);
+  const int surfaces = walk.turn(turned);
+  if (surfaces == 0) {
+    const Vec3& at = mesh.points[mesh.quads[0][0]];
+    throw InputError(text("%s: the closed surface through (%g, %g, %g) m encloses nothing", path.c_str(),
+                          at.x(), at.y(), at.z()));
+  }
+  mesh = without_unused_points(with_panels(mesh, [&](std::size_t k) { return !walk.empty()[k]; }));
+  return surfaces;
 }
 
 }  // namespace icebow

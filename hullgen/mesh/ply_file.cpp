@@ -98,18 +98,23 @@ class Body {
   PlyEncoding encoding_;
 };
 
+// The byte order mark some editors put before a text says nothing of a mesh.
+std::string without_mark(std::string content) {
+  if (content.compare(0, 3, "\xEF\xBB\xBF") == 0) content.erase(0, 3);
+  return content;
+}
+
 class PlyReader {
  public:
   explicit PlyReader(const std::string& path)
       : path_(path),
-        content_(read_text_file(path)),
+        content_(without_mark(read_text_file(path))),
         header_(read_ply_header(content_, path)),
         body_(content_, header_) {}
 
   PolygonMesh read() {
     for (const PlyElement& element : header_.elements) read_element(element);
     check_corners();
-    mesh_.patch.assign(mesh_.polygons.size(), Patch::other);
     return std::move(mesh_);
   }
 
@@ -195,9 +200,8 @@ class PlyReader {
 
   void add_panel() {
     if (list_.size() < 3) fail(text("a panel of %zu points: it needs three or more", list_.size()));
-    std::vector<int> corners;
-    for (const double value : list_) corners.push_back(corner(value));
-    add(std::move(corners));
+    for (const double value : list_) mesh_.corners.push_back(corner(value));
+    close();
   }
 
   // Every point from the third on makes a triangle with the two before it; each second one is turned.
@@ -213,22 +217,23 @@ class PlyReader {
       if (n < 3) continue;
       const int a = strip[n - 3], b = strip[n - 2], c = strip[n - 1];
       if (a == b || b == c || c == a) continue;  // joins two strips
-      add(n % 2 == 1 ? std::vector<int>{a, b, c} : std::vector<int>{b, a, c});
+      mesh_.corners.insert(mesh_.corners.end(), {n % 2 == 1 ? a : b, n % 2 == 1 ? b : a, c});
+      close();
     }
   }
 
-  void add(std::vector<int> corners) {
-    mesh_.polygons.push_back(std::move(corners));
+  void close() {
+    mesh_.close_polygon(Patch::other);
     place_.emplace_back(element_, row_);
   }
 
   void check_corners() {
-    for (std::size_t k = 0; k < mesh_.polygons.size(); ++k)
-      for (const int corner : mesh_.polygons[k])
-        if (static_cast<std::size_t>(corner) >= mesh_.points.size()) {
+    for (std::size_t k = 0; k < mesh_.size(); ++k)
+      for (std::size_t n = mesh_.begin_of(k); n < mesh_.ends[k]; ++n)
+        if (static_cast<std::size_t>(mesh_.corners[n]) >= mesh_.points.size()) {
           std::tie(element_, row_) = place_[k];
-          fail(text("a panel names the point %d, but there are %zu, counted from 0: export it again", corner,
-                    mesh_.points.size()));
+          fail(text("a panel names the point %d, but there are %zu, counted from 0: export it again",
+                    mesh_.corners[n], mesh_.points.size()));
         }
   }
 

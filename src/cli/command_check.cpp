@@ -9,6 +9,8 @@
 #include "solver/lattice/lattice.h"
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
+#include "study/plan/feasible_box.h"
+#include "study/plan/nearest_feasible.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
@@ -56,8 +58,35 @@ std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
 // A design as far as it is known without a mesh.
 std::string verdict_on(const PlannedDesign& planned) {
   if (!planned.mistake.empty()) return "cannot be evaluated: " + planned.mistake;
-  const BowFeasibility f = check_feasibility(read_case(planned.design.document, planned.design.name));
-  return f.feasible ? "" : "infeasible: " + f.reason;
+  const Case c = read_case(planned.design.document, planned.design.name);
+  const BowFeasibility f = check_feasibility(c);
+  if (f.feasible) return "";
+  const std::string nearest = c.own.given() ? "" : nearest_feasible_words(c.bow);
+  return "infeasible: " + f.reason + (nearest.empty() ? "" : "; " + nearest);
+}
+
+// What mending a hull of the user's own took, and what may be wrong with it.
+std::string hull_lines(const Case& c) {
+  if (!c.own.given()) return "";
+  std::string text;
+  for (const std::string& words : in_words(c.own.imported->repairs))
+    text += "hull: repaired: " + words + "\n";
+  for (const std::string& words : c.own.imported->repairs.warnings) text += "hull: warning: " + words + "\n";
+  return text;
+}
+
+// Which part of the variables' box is feasible, and bounds that are.
+std::string box_lines(const StudySpec& spec) {
+  const FeasibleBox box = feasible_box(spec);
+  if (box.tried == 0) return "";
+  std::string text = "feasible: " + std::to_string(box.feasible) + " of " + std::to_string(box.tried) +
+                     " points of the whole box\n";
+  if (box.feasible == box.tried) return text;
+  if (box.variables.empty()) return text + "  no smaller box was found that is feasible as a whole\n";
+  text += "  all of " + std::to_string(box.tried_inside) + " points tried are feasible within\n";
+  for (const Variable& v : box.variables)
+    text += "  " + v.pointer + ": " + brief(v.lower) + " to " + brief(v.upper) + "\n";
+  return text;
 }
 
 std::string design_lines(const StudyPlan& plan) {
@@ -121,7 +150,8 @@ int run_check(const Communicator&, const Arguments& arguments) {
   const StudyPlan plan = plan_study(spec);
   std::string text = spec.file + ": no mistakes\n" + spec.name + "\n";
   if (!spec.purpose.empty()) text += "purpose: " + spec.purpose + "\n";
-  text += design_lines(plan) + method_lines(spec, plan) + operation_line(spec.baseline);
+  text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(spec) +
+          operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
           (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "") + "\n";
   if (spec.use_peridynamics) text += size_line(spec.baseline);

@@ -11,6 +11,7 @@
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "study/evaluate/result_json.h"
+#include "study/plan/nearest_feasible.h"
 #include "study/spec/case_hull.h"
 
 namespace icebow {
@@ -92,6 +93,10 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   const Hull hull = make_hull(chosen.description);
   Json json = hull_json(hull);
   json["design"] = chosen.design.name;
+  std::string nearest;
+  if (hull.status == HullStatus::infeasible && !chosen.description.own.given())
+    nearest = nearest_feasible_words(bow);
+  if (!nearest.empty()) json["nearest_feasible"] = nearest;
   if (chosen.description.own.given()) json["imported"] = imported_json(chosen.description.own);
   if (hull.status == HullStatus::ok && !path.empty())
     write_hull_output(path, hull, bow, drawing_title(spec, chosen), overlaid);
@@ -113,7 +118,8 @@ int run_hull(const Communicator&, const Arguments& arguments) {
               << margin_rows(hull.feasibility) << mesh_row(json.at("mesh")) << more;
   }
   if (hull.status == HullStatus::ok) return exit_code::ok;
-  std::cerr << chosen.design.name << ": no hull: " << json.at("reason").get<std::string>() << "\n";
+  std::cerr << chosen.design.name << ": no hull: " << json.at("reason").get<std::string>()
+            << (nearest.empty() ? "" : "; ") << nearest << "\n";
   return exit_code::failure;
 }
 

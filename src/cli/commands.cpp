@@ -41,15 +41,29 @@ const std::vector<Command>& commands() {
       {"measure",
        "MESH",
        "any closed hull mesh: dimensions, angles, hydrostatics",
-       "MESH is an .obj, .stl or .ply file. The hull is measured at its waterline; P0 is the stem, P1 at a "
-       "quarter of the\n"
-       "beam. Small flaws are mended and named; exits with 2 where the mesh is open, branches or intersects "
-       "itself.",
+       "MESH is a mesh (.obj, .stl, .ply), a STEP or IGES file (.step, .igs) or a table of offsets (.csv). "
+       "The "
+       "hull is\n"
+       "measured at its waterline; P0 is the stem, P1 at a quarter of the beam. What can be mended is mended "
+       "and "
+       "named;\n"
+       "exits with 2 where the mesh stays open, branches or intersects itself.",
        {{"--unit", "UNIT", "of the file: m (default), cm, mm, ft, in"},
         {"--axes", "FORWARD,UP", "the file's axes that point forward and up; default: x,z"},
+        {"--factor", "F", "lengths are multiplied by this as well: 25 for the mesh of a 1:25 model"},
+        {"--left-handed", "", "the file's axes are left-handed: port and starboard change places"},
         {"--waterline", "M", "height of the waterline in metres along that axis; default: 0"},
+        {"--draft", "M", "instead: draught to the waterline, from the mesh's lowest point"},
+        {"--lower-draft", "M", "draught to the lower ice waterline; default: 0.8 of the draught"},
         {"--mirror", "", "the file has one side of the hull, up to its own centre plane"},
+        {"--outer", "", "the file has an open boat with its plating: take its outside, closed by a deck"},
         {"--density", "KG_M3", "of the water; default: 1025"},
+        {"--displacement", "T", "find the draught at which the hull displaces this"},
+        {"--curves", "FILE",
+         "curves of form and righting levers on a page (.svg, .pdf), or the curves as a table (.csv)"},
+        {"--kg", "M", "centre of gravity above the keel: --curves draws GZ instead of KN"},
+        {"--offsets", "FILE.csv", "write the table of offsets, which `icebow measure` reads too"},
+        {"--dxf", "FILE.dxf", "write waterlines, buttocks and stations as lines for CAD programs"},
         json},
        false,
        run_measure},

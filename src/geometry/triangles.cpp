@@ -1,5 +1,7 @@
 #include "geometry/triangles.h"
 
+#include <algorithm>
+
 namespace icebow {
 
 std::vector<std::array<int, 3>> triangles(const QuadMesh& mesh) {
@@ -19,6 +21,13 @@ std::vector<std::array<int, 3>> triangles(const QuadMesh& mesh) {
     }
   }
   return result;
+}
+
+std::pair<int, int> contact_diagonal(const QuadMesh& mesh, std::size_t quad) {
+  const auto& q = mesh.quads[quad];
+  const auto& p = mesh.points;
+  const bool first = (p[q[0]] - p[q[2]]).squaredNorm() <= (p[q[1]] - p[q[3]]).squaredNorm();
+  return first ? std::minmax(q[0], q[2]) : std::minmax(q[1], q[3]);
 }
 
 }  // namespace icebow

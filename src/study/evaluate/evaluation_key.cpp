@@ -59,7 +59,7 @@ void describe_bow(Text& text, const BowParameters& bow) {
 }
 
 void describe_own_hull(Text& text, const OwnHull& own) {
-  const auto& [file, checksum, frame, mirror, imported] = own;
+  const auto& [file, checksum, frame, mirror, outer_surface, imported] = own;
   const auto& [unit, forward, up, left_handed, waterline, draft] = frame;
   text.field("hull.sha256", checksum);
   text.field("hull.unit", unit);
@@ -69,8 +69,9 @@ void describe_own_hull(Text& text, const OwnHull& own) {
   text.field("hull.waterline", waterline);
   text.field("hull.draft", draft);
   text.field("hull.mirror", mirror);
-  text.ignored("hull.file", file);          // its bytes count
-  text.ignored("hull.imported", imported);  // follows from them
+  if (outer_surface) text.field("hull.outer_surface", outer_surface);  // older results have no such word
+  text.ignored("hull.file", file);                                     // its bytes count
+  text.ignored("hull.imported", imported);                             // follows from them
 }
 
 // All that is measured on a hull of the user's own follows from its file; the angles are those it is deformed

@@ -34,12 +34,12 @@ bool same_frame(const MeshFrame& a, const MeshFrame& b) {
 // Hulls by file and frame, the one asked for last in front.
 class RecentHulls {
  public:
-  OwnHull get(const std::string& file, const MeshFrame& frame, bool mirror) {
+  OwnHull get(const std::string& file, const MeshFrame& frame, bool mirror, bool outer) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Stamp stamp = stamp_of(file);
     for (auto k = kept_.begin(); k != kept_.end(); ++k) {
       const OwnHull& hull = k->hull;
-      if (hull.file != file || hull.mirror != mirror || !(k->stamp == stamp) ||
+      if (hull.file != file || hull.mirror != mirror || hull.outer_surface != outer || !(k->stamp == stamp) ||
           !same_frame(hull.frame, frame))
         continue;
       Kept found = *k;
@@ -47,8 +47,9 @@ class RecentHulls {
       kept_.push_front(std::move(found));
       return kept_.front().hull;
     }
-    OwnHull hull{file, sha256(read_text_file(file)), frame, mirror,
-                 std::make_shared<const ImportedHull>(import_hull(file, frame, mirror))};
+    OwnHull hull{file,  sha256(read_text_file(file)),
+                 frame, mirror,
+                 outer, std::make_shared<const ImportedHull>(import_hull(file, frame, {mirror, outer, {}}))};
     kept_.push_front({stamp, std::move(hull)});
     if (kept_.size() > most_kept) kept_.pop_back();
     return kept_.front().hull;
@@ -66,9 +67,9 @@ class RecentHulls {
 
 }  // namespace
 
-OwnHull load_own_hull(const std::string& file, const MeshFrame& frame, bool mirror) {
+OwnHull load_own_hull(const std::string& file, const MeshFrame& frame, bool mirror, bool outer_surface) {
   static RecentHulls recent;
-  return recent.get(file, frame, mirror);
+  return recent.get(file, frame, mirror, outer_surface);
 }
 
 }  // namespace icebow

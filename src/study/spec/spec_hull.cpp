@@ -1,10 +1,12 @@
 #include "study/spec/spec_hull.h"
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 
 #include "base/errors.h"
+#include "base/units.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
@@ -68,6 +70,24 @@ bool plausible(const Section& s, const ImportedHull& hull, Mistakes& mistakes) {
   return mistakes.size() == before;
 }
 
+// Ice is broken by a bow that lies over it: other angles are a mistake of the hull, or of its frame.
+void require_angles(const Section& s, const BowAngles& a, Mistakes& mistakes) {
+  const auto require = [&](const char* name, double angle, bool zero_allowed) {
+    const double deg = degrees(angle);
+    if (deg > (zero_allowed ? -1e-6 : 1e-6) && deg <= 90.0 + 1e-6) return;
+    mistakes.push_back(
+        {s.pointer("file"),
+         "is a hull whose " + std::string(name) + " angle " +
+             (std::isfinite(deg) ? "is " + brief(deg) + " deg" : "cannot be read at the waterline") +
+             ", allowed " + (zero_allowed ? "0 to 90" : "above 0 up to 90") +
+             " deg: see `icebow measure`; is /hull/waterline_height or /hull/draft right?"});
+  };
+  require("stem", a.stem, false);
+  require("waterline", a.waterline, false);
+  require("buttock", a.buttock, false);
+  require("flare", a.flare, true);
+}
+
 void make_absolute(Json& section, const fs::path& directory) {
   if (!section.is_object() || !section.contains("file") || !section.at("file").is_string()) return;
   const fs::path file = section.at("file").get<std::string>();
@@ -93,8 +113,10 @@ void read_hull(const Json& document, Case& c, Mistakes& mistakes) {
                               "points up, like \"x\" and \"z\", or \"-z\" and \"y\""});
   if (!s.good()) return;
   try {
-    c.own = load_own_hull(s.text("file", ""), frame, s.boolean("mirror"));
-    if (plausible(s, *c.own.imported, mistakes)) take_ship(s, *c.own.imported, c.bow);
+    c.own = load_own_hull(s.text("file", ""), frame, s.boolean("mirror"), s.boolean("outer_surface"));
+    if (!plausible(s, *c.own.imported, mistakes)) return;
+    take_ship(s, *c.own.imported, c.bow);
+    require_angles(s, c.bow.angles, mistakes);
   } catch (const InputError& error) {
     mistakes.push_back({s.pointer("file"), error.what()});
   }

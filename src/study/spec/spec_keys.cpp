@@ -42,7 +42,7 @@ const std::vector<Key> table = {
   {"bow", "belt_below", Quantity::length, 0.001, 30, false, 1.5, "1.5 m full scale", "the ice belt reaches this far below the design waterline", {}},
   {"bow", "belt_above", Quantity::length, 0.001, 30, false, 1.0, "1.0 m full scale", "the ice belt reaches this far above the design waterline", {}},
 
-  {"hull", "file", Quantity::text, 0, 0, true, none, "", "mesh of the user's own hull, instead of `bow`: .obj, .stl or .ply, from the study file's directory; closed, or one side of a closed hull", {}},
+  {"hull", "file", Quantity::text, 0, 0, true, none, "", "the user's own hull, instead of `bow`: a mesh (.obj, .stl, .ply), surfaces (.step, .igs) or offsets (.csv), from the study file's directory; closed, or one side of a closed hull", {}},
   {"hull", "unit", Quantity::choice, 0, 0, false, none, "m", "unit of the file's coordinates", {"m", "cm", "mm", "ft", "in"}},
   {"hull", "factor", Quantity::number, 1e-4, 1e4, false, 1, "1", "the file's lengths are multiplied by this as well, to be full scale: 25 for the mesh of a 1:25 model", {}},
   {"hull", "forward", Quantity::choice, 0, 0, false, none, "x", "axis of the file that points forward", {"x", "y", "z", "-x", "-y", "-z"}},
@@ -51,6 +51,7 @@ const std::vector<Key> table = {
   {"hull", "draft", Quantity::length, 0.02, 50, false, none, "as waterline_height says", "draught to the waterline, from the mesh's lowest point; instead of waterline_height", {}},
   {"hull", "waterline_height", Quantity::length, -1000, 1000, false, none, "0", "height of the waterline along the up axis, full scale; instead of draft", {}},
   {"hull", "mirror", Quantity::boolean, 0, 0, false, 0, "false", "the file has one side of the hull, up to its own centre plane: add the other", {}},
+  {"hull", "outer_surface", Quantity::boolean, 0, 0, false, 0, "false", "the file has an open boat with its plating: take its outside, closed by a deck", {}},
   {"hull", "stem", Quantity::angle, 5, 85, false, none, "as measured", "the bow is deformed to this stem angle", {}},
   {"hull", "waterline", Quantity::angle, 5, 90, false, none, "as measured", "the bow is deformed to this waterline angle at the stem", {}},
   {"hull", "buttock", Quantity::angle, 5, 85, false, none, "as measured", "the bow is deformed to this buttock angle at B/4", {}},

@@ -23,7 +23,7 @@ ImportedHull imported(BowFamily family) {
   std::string name = (std::filesystem::temp_directory_path() / "icebow_deform_XXXXXX").string();
   const std::filesystem::path directory = mkdtemp(name.data());
   write_mesh((directory / "hull.obj").string(), bow_mesh(bow));
-  ImportedHull hull = import_hull((directory / "hull.obj").string(), {}, false);
+  ImportedHull hull = import_hull((directory / "hull.obj").string(), {});
   std::filesystem::remove_all(directory);
   return hull;
 }

@@ -38,8 +38,8 @@ BowParameters preset(BowFamily family, double panels_per_beam) {
 QuadMesh through_file(const QuadMesh& mesh, const std::string& name) {
   const Scratch scratch;
   write_mesh(scratch.file(name), mesh);
-  int split = 0;
-  return read_mesh(scratch.file(name), split);
+  MeshRepairs repairs;
+  return read_mesh(scratch.file(name), repairs);
 }
 
 double error_deg(const BowParameters& bow, const QuadMesh& mesh) {
@@ -99,24 +99,17 @@ TEST_CASE("unit, axes and waterline of a file") {
   CHECK(measure_hull(read).P0.norm() < 1e-9);
 }
 
-TEST_CASE("a hull that is not on y = 0 is moved there") {
-  const BowParameters bow = preset(BowFamily::flat, 20.0);
-  QuadMesh mesh = bow_mesh(bow);
-  for (Vec3& p : mesh.points) p.y() += 3.0;
-  CHECK(error_deg(bow, centred(mesh)) < 0.05);
-}
-
 TEST_CASE("a hull out of the water, and files that are no meshes") {
   QuadMesh mesh = bow_mesh(preset(BowFamily::concave, 20.0));
   for (Vec3& p : mesh.points) p.z() += 100.0;
   CHECK_THROWS_WITH(measure_hull(mesh), Catch::Contains("does not cut the hull") && Catch::Contains("unit"));
 
   const Scratch scratch;
-  int split = 0;
-  CHECK_THROWS_WITH(read_mesh(scratch.file("none.stl"), split), Catch::Contains("no such file"));
-  CHECK_THROWS_WITH(read_mesh(scratch.file("hull.step"), split), Catch::Contains(".obj, .stl or .ply"));
+  MeshRepairs repairs;
+  CHECK_THROWS_WITH(read_mesh(scratch.file("none.stl"), repairs), Catch::Contains("no such file"));
+  CHECK_THROWS_WITH(read_mesh(scratch.file("hull.step"), repairs), Catch::Contains(".obj, .stl or .ply"));
   for (const char* name : {"bad.stl", "bad.ply"}) {
     write_text_file(scratch.file(name), "not a mesh\n");
-    CHECK_THROWS_AS(read_mesh(scratch.file(name), split), InputError);
+    CHECK_THROWS_AS(read_mesh(scratch.file(name), repairs), InputError);
   }
 }

@@ -12,6 +12,7 @@
 #include "hullgen/bow/bow_mesh.h"
 #include "hullgen/bow/family.h"
 #include "hullgen/mesh/mesh_check.h"
+#include "hullgen/mesh/mesh_import.h"
 #include "hullgen/mesh/mesh_io.h"
 
 using namespace icebow;
@@ -38,7 +39,7 @@ ImportedHull through_file(const QuadMesh& mesh, const std::string& name, const M
                           bool mirror = false) {
   const Scratch scratch;
   write_mesh(scratch.file(name), mesh);
-  return import_hull(scratch.file(name), frame, mirror);
+  return import_hull(scratch.file(name), frame, {mirror, false, {}});
 }
 
 // A box with a wedge of a bow, its deck one panel of six corners and its keel another.
@@ -108,21 +109,22 @@ TEST_CASE("a left-handed file is the mirror image") {
 TEST_CASE("polygons and corners counted from the end") {
   const Scratch scratch;
   write_text_file(scratch.file("wedge.obj"), wedge);
-  const ImportedHull hull = import_hull(scratch.file("wedge.obj"), {}, false);
+  const ImportedHull hull = import_hull(scratch.file("wedge.obj"), {});
   CHECK(hull.repairs.split == 2);
   CHECK(check_mesh(hull.mesh).ok());
   CHECK(hull.L == Approx(20.5));  // the stem passes z = 0 at x = 0.5
   CHECK(hull.stem == Approx(0.5));
   CHECK(hull.B == Approx(4.0));
   CHECK(hull.D == Approx(2.0));
-  CHECK(degrees(hull.measured.angles.waterline) == Approx(degrees(std::atan2(2.0, 5.5))).margin(0.01));
+  // The bow's panels are warped, and split along their shorter diagonals: this is the triangle's at the stem.
+  CHECK(degrees(hull.measured.angles.waterline) == Approx(degrees(std::atan2(2.0, 6.0))).margin(0.01));
   CHECK(degrees(hull.measured.angles.stem) == Approx(degrees(std::atan2(2.0, 1.0))).margin(0.01));
 }
 
 TEST_CASE("panels are bow, side, bottom, deck or transom by where they lie") {
   const Scratch scratch;
   write_text_file(scratch.file("wedge.obj"), wedge);
-  const QuadMesh mesh = import_hull(scratch.file("wedge.obj"), {}, false).mesh;
+  const QuadMesh mesh = import_hull(scratch.file("wedge.obj"), {}).mesh;
   const auto count = [&](Patch patch) { return std::count(mesh.patch.begin(), mesh.patch.end(), patch); };
   CHECK(count(Patch::deck) == 3);  // five corners in three triangles
   CHECK(count(Patch::bottom) == 3);
@@ -140,8 +142,8 @@ TEST_CASE("a file with corners or coordinates that are none is refused") {
                     "property double z\nelement face 4\nproperty list uchar int vertex_indices\n"
                     "end_header\n0 0 0\n1 0 0\n0 1 0\n") +
             point + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n" + panel + "\n");
-    int split = 0;
-    return read_mesh(scratch.file("bad.ply"), split);
+    MeshRepairs repairs;
+    return read_mesh(scratch.file("bad.ply"), repairs);
   };
   CHECK(ply("0 0 1", "3 2 0 3").quads.size() == 4);
   CHECK_THROWS_AS(ply("0 0 1", "3 2 0 9"), InputError);
@@ -153,7 +155,7 @@ TEST_CASE("files that are no hull are refused in words") {
   const auto refusal = [&](std::string obj, const MeshFrame& frame = {}, bool mirror = false) {
     write_text_file(scratch.file("bad.obj"), obj);
     try {
-      import_hull(scratch.file("bad.obj"), frame, mirror);
+      import_hull(scratch.file("bad.obj"), frame, {mirror, false, {}});
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -171,12 +173,22 @@ TEST_CASE("files that are no hull are refused in words") {
   for (const char* at : {"v -20 2 -1", "v -20 2 1"})
     broad.replace(broad.find(at), std::string(at).size(), std::string(at).replace(6, 1, "3"));
   CHECK_THAT(refusal(broad), Catch::Contains("of the centre plane") && Catch::Contains("mirrored"));
-  // A second box that reaches into the first.
+}
+
+TEST_CASE("a box that reaches into another is united with it") {
+  const Scratch scratch;
   std::string two = wedge;
   for (const char* v :
        {"-10 -1 0", "-9 -1 0", "-9 1 0", "-10 1 0", "-10 -1 5", "-9 -1 5", "-9 1 5", "-10 1 5"})
     two += std::string("v ") + v + "\n";
   two += "f 14 13 12 11\nf 15 16 17 18\nf 11 12 16 15\nf 12 13 17 16\nf 13 14 18 17\nf 14 11 15 18\n";
-  CHECK_THAT(refusal(two), Catch::Contains("intersects itself") && Catch::Contains("one at (") &&
-                               Catch::Contains("united"));
+  write_text_file(scratch.file("two.obj"), two);
+  write_text_file(scratch.file("wedge.obj"), wedge);
+  const ImportedHull united = import_hull(scratch.file("two.obj"), {}),
+                     alone = import_hull(scratch.file("wedge.obj"), {});
+  CHECK(check_mesh(united.mesh).ok());
+  // Of the box of 1 x 2 x 5 m 4 m stand out.
+  CHECK(enclosed_volume(united.mesh) == Approx(enclosed_volume(alone.mesh) + 8.0));
+  CHECK_THAT(in_words(united.repairs), Catch::VectorContains(united.repairs.notes.at(0)));
+  CHECK_THAT(united.repairs.notes.at(0), Catch::Contains("united"));
 }

@@ -25,8 +25,8 @@ QuadMesh read(const char* name, const std::string& content) {
   const Scratch scratch;
   const std::string file = (scratch.path / name).string();
   write_text_file(file, content);
-  int split = 0;
-  return read_mesh(file, split);
+  MeshRepairs repairs;
+  return read_mesh(file, repairs);
 }
 
 std::string refusal(const char* name, const std::string& content) {

@@ -12,6 +12,7 @@
 #include "hullgen/bow/bow.h"
 #include "hullgen/bow/make_hull.h"
 #include "hullgen/mesh/mesh_import.h"
+#include "hullgen/mesh/read_obj.h"
 #include "tests/support/paper_bows.h"
 
 using namespace icebow;
@@ -53,9 +54,9 @@ std::vector<T> numbers(const std::string& words, const std::string& from, const 
 TEST_CASE("OBJ keeps points, panels and patches to the last bit") {
   const Scratch scratch;
   write_mesh(scratch.file("hull.obj"), hull());
-  int split = 0;
-  const QuadMesh read = read_mesh(scratch.file("hull.obj"), split);
-  CHECK(split == 0);
+  MeshRepairs repairs;
+  const QuadMesh read = read_mesh(scratch.file("hull.obj"), repairs);
+  CHECK(repairs.split == 0);
   REQUIRE(read.points.size() == hull().points.size());
   for (std::size_t k = 0; k < read.points.size(); ++k) CHECK(read.points[k] == hull().points[k]);
   CHECK(read.quads == hull().quads);

@@ -1,0 +1,71 @@
+#include "hullgen/mesh/mesh_edges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/union_find.h"
+
+namespace icebow {
+
+std::vector<EdgeUse> edge_uses(const QuadMesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(4 * mesh.quads.size());
+  for (std::size_t p = 0; p < mesh.quads.size(); ++p)
+    for (int k = 0; k < 4; ++k) {
+      const int a = mesh.quads[p][k], b = mesh.quads[p][(k + 1) % 4];
+      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), static_cast<int>(p), a < b});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.lower, a.upper, a.panel) < std::tie(b.lower, b.upper, b.panel);
+  });
+  return uses;
+}
+
+EdgeCount count_edges(const QuadMesh& mesh) {
+  EdgeCount count;
+  for_each_edge(edge_uses(mesh), [&](const EdgeUse* first, const EdgeUse* last) {
+    if (last - first == 1) ++count.open;
+    if (last - first > 2) ++count.branching;
+  });
+  return count;
+}
+
+std::vector<int> surface_of_panel(const QuadMesh& mesh, int& surfaces) {
+  UnionFind sets(mesh.quads.size());
+  for_each_edge(edge_uses(mesh), [&](const EdgeUse* first, const EdgeUse* last) {
+    for (const EdgeUse* use = first + 1; use < last; ++use) sets.join(first->panel, use->panel);
+  });
+  std::vector<int> number(mesh.quads.size(), -1), result(mesh.quads.size());
+  surfaces = 0;
+  for (std::size_t k = 0; k < mesh.quads.size(); ++k) {
+    int& own = number[sets.find(static_cast<int>(k))];
+    if (own < 0) own = surfaces++;
+    result[k] = own;
+  }
+  return result;
+}
+
+QuadMesh without_unused_points(const QuadMesh& mesh) {
+  QuadMesh result = mesh;
+  std::vector<int> number(mesh.points.size(), -1);
+  std::vector<Vec3> used;
+  for (auto& q : result.quads)
+    for (int& corner : q) {
+      if (number[corner] < 0) {
+        number[corner] = static_cast<int>(used.size());
+        used.push_back(mesh.points[corner]);
+      }
+      corner = number[corner];
+    }
+  result.points = std::move(used);
+  return result;
+}
+
+double panel_area(const QuadMesh& mesh, std::size_t panel) {
+  const auto& q = mesh.quads[panel];
+  const auto& p = mesh.points;
+  return 0.5 * (p[q[2]] - p[q[0]]).cross(p[q[3]] - p[q[1]]).norm();
+}
+
+}  // namespace icebow

@@ -1,0 +1,125 @@
+#include "study/plan/nearest_feasible.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "hullgen/bow/dimensions.h"
+#include "hullgen/bow/feasibility.h"
+#include "study/plan/optimiser.h"
+
+namespace icebow {
+namespace {
+
+constexpr double degree_weight = 5.0, length_weight = 0.1;  // changes that count alike [deg], [-]
+constexpr double farthest = 30.0;                           //!< [deg]
+// Kept from a margin's end, so that rounding to two decimals does not cross it: [m], [-] and [rad].
+constexpr double slack_of_lengths = 0.03, slack_of_others = 5e-3, slack_of_ranges = 1e-4;
+
+struct Parameter {
+  const char* name;
+  double BowParameters::*length;  // null: an angle
+  double BowAngles::*angle;
+};
+constexpr Parameter parameters[] = {
+    {"stem angle", nullptr, &BowAngles::stem},       {"waterline angle", nullptr, &BowAngles::waterline},
+    {"buttock angle", nullptr, &BowAngles::buttock}, {"flare angle", nullptr, &BowAngles::flare},
+    {"bow length Lf", &BowParameters::Lf, nullptr},  {"length L", &BowParameters::L, nullptr}};
+
+// In degrees or metres.
+double value_of(const BowParameters& bow, const Parameter& p) {
+  return p.length ? bow.*p.length : degrees(bow.angles.*p.angle);
+}
+void set(BowParameters& bow, const Parameter& p, double value) {
+  if (p.length)
+    bow.*p.length = value;
+  else
+    bow.angles.*p.angle = radians(value);
+}
+
+BowParameters at(const BowParameters& bow, const std::vector<double>& x) {
+  BowParameters result = bow;
+  for (std::size_t k = 0; k < x.size(); ++k) set(result, parameters[k], x[k]);
+  return result;
+}
+
+double slack_of(const Margin& g) {
+  if (g.name == "g6") return slack_of_ranges;
+  return g.name == "g3" || g.name == "g4" || g.name == "g7" ? slack_of_others : slack_of_lengths;
+}
+
+OptimiserProblem problem_of(const BowParameters& bow) {
+  OptimiserProblem problem;
+  for (const Parameter& p : parameters) {
+    const double value = value_of(bow, p);
+    problem.start.push_back(value);
+    const bool ship = p.length == &BowParameters::L;
+    const double highest = p.angle == &BowAngles::waterline ? 90.0 : 88.99;
+    problem.lower.push_back(p.length ? (ship ? value : 0.5 * value)
+                                     : std::clamp(value - farthest, 1.01, 80.0));
+    problem.upper.push_back(p.length ? 2.0 * value : std::clamp(value + farthest, 10.0, highest));
+  }
+  problem.value = [bow](const std::vector<double>& x) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double was = value_of(bow, parameters[k]);
+      sum += std::pow((x[k] - was) / (parameters[k].length ? length_weight * was : degree_weight), 2);
+    }
+    return sum;
+  };
+  problem.margins = [bow](const std::vector<double>& x) {
+    std::vector<double> margins;
+    for (const Margin& g : check_feasibility(at(bow, x)).margins)
+      margins.push_back(g.required ? g.value - slack_of(g) : 1.0);
+    return margins;
+  };
+  return problem;
+}
+
+// To the fewest decimals, from two on, with which the bow stays feasible.
+std::optional<std::vector<double>> rounded(const BowParameters& bow, const std::vector<double>& best) {
+  for (double unit = 1e-2; unit > 1e-9; unit *= 0.1) {
+    std::vector<double> x = best;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      // What hardly moved does not move.
+      const double was = value_of(bow, parameters[k]);
+      x[k] = std::abs(x[k] - was) < 0.5 * unit ? was : unit * std::round(x[k] / unit);
+    }
+    if (check_feasibility(at(bow, x)).feasible) return x;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<NearestBow> nearest_feasible(const BowParameters& bow) {
+  if (!dimension_problem(bow).empty() || !std::isfinite(angle_range(bow.angles).margin)) return {};
+  OptimiserOptions options;
+  options.algorithm = "cobyla";
+  options.max_evaluations = 3000;
+  options.tolerance = 1e-5;
+  const OptimiserResult found = optimise(problem_of(bow), options);
+  if (found.best.empty()) return {};
+  const auto x = rounded(bow, found.best);
+  if (!x) return {};
+  NearestBow nearest;
+  nearest.bow = at(bow, *x);
+  for (std::size_t k = 0; k < x->size(); ++k) {
+    const double was = value_of(bow, parameters[k]);
+    if ((*x)[k] != was)
+      nearest.changes.push_back(
+          text("%s %.10g -> %.10g %s", parameters[k].name, was, (*x)[k], parameters[k].length ? "m" : "deg"));
+  }
+  return nearest;
+}
+
+std::string nearest_feasible_words(const BowParameters& bow) {
+  const auto nearest = nearest_feasible(bow);
+  if (!nearest) return "";
+  std::string words;
+  for (const std::string& change : nearest->changes) words += (words.empty() ? "" : ", ") + change;
+  return "the nearest feasible bow as a whole: " + words;
+}
+
+}  // namespace icebow
