@@ -25,6 +25,8 @@ fs::path design_file(const fs::path& directory, const Json& result, const std::s
   return directory / fs::path(named.empty() ? usual : named).filename();
 }
 
+constexpr int most_voyages = 5;  // in a page: of the first ranks
+
 std::string lines_plan(const fs::path& file, const std::string& id) {
   try {
     return fs::exists(file) ? inline_svg(read_text_file(file.string()), id + "-") : std::string();
@@ -53,6 +55,10 @@ DesignContent read_design(const StudyResults& study, std::size_t index) {
   if (!std::isfinite(design.lambda)) design.lambda = number_at(e.result, "/metrics/lambda");
   design.waterline = read_waterline(design_file(directory, e.result, "hull", "hull.obj").string());
   design.lines_plan = lines_plan(design_file(directory, e.result, "lines_plan", "lines.svg"), design.id);
+  const int rank = study.ranking.rows[index].rank;
+  if (rank > 0 && rank <= most_voyages)
+    design.voyage =
+        lines_plan(design_file(directory, e.result, "voyage", "voyage.svg"), design.id + "-voyage");
   design.pictures = pictures_of(directory, e.result);
   if (e.status == EvaluationStatus::ok && std::isfinite(design.lambda)) {
     const fs::path history = design_file(directory, e.result, "history", "history.csv");

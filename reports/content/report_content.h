@@ -22,6 +22,7 @@ struct DesignContent {
   double lambda = 0.0;  // NaN where unknown
   std::vector<Vec3> waterline;
   std::string lines_plan;  // <svg> with ids of its own
+  std::string voyage;      // <svg> of the breaking cycle; of the first ranks only
   std::vector<Picture> pictures;
   std::size_t pictures_left_out = 0;
   LoadSeries history;  // full scale

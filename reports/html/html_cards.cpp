@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "reports/html/html_cycle.h"
 #include "reports/html/html_process.h"
 #include "reports/html/html_sections.h"
 #include "reports/tables/table_report.h"
@@ -247,6 +248,7 @@ std::string card(const ReportContent& content, std::size_t i) {
   html += imported_note(result) + "<div class=\"tables\">" + angles_table(result) +
           loads_table(result, ranked, content.unit) + lindqvist_table(result, ranked, content.unit) +
           "</div>\n";
+  html += cycle_html(ranked, design, content.unit);
   html += process_html(result, design.lambda) + picture_strip(design, ranked.evaluation.name);
   html += "<div class=\"small-print\"><div>" + margins_list(result) + "</div><div>" +
           ice_facts(result, design.lambda) + "</div><div>" +

@@ -154,7 +154,10 @@ int run_check(const Communicator&, const Arguments& arguments) {
           operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
           (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "") + "\n";
-  if (spec.use_peridynamics) text += size_line(spec.baseline);
+  if (spec.confirm.given())
+    text += "then the best " + std::to_string(spec.confirm.best) + " and " +
+            std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
+  if (spec.use_peridynamics || spec.confirm.given()) text += size_line(spec.baseline);
   std::cout << text;
   return exit_code::ok;
 }

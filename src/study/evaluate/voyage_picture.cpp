@@ -11,12 +11,14 @@ namespace {
 
 constexpr double width = 1100.0, left = 70.0, right = 20.0, top = 40.0, plot_height = 190.0, between = 60.0;
 
+// Under the drawing's own class: in a report it shares the page with others.
 const char* style =
-    "svg{background:#fff}text{font:13px sans-serif;fill:#222}.title{font-size:15px}"
-    ".ice{fill:#e8eef3;stroke:none}.water{fill:#9dbdd1;stroke:none}"
-    ".piece{fill:#c4d8e5;stroke:#4a6d85;stroke-width:.8}.hull{fill:#8b5a3c;fill-opacity:.55;stroke:#5a3620}"
-    ".axis{stroke:#444;fill:none}.grid{stroke:#ddd;fill:none}.load{stroke:#9c2f2f;stroke-width:1;fill:none}"
-    ".mean{stroke:#222;stroke-width:1.4;stroke-dasharray:6 4;fill:none}";
+    ".voyage{background:#fff}.voyage text{font:13px sans-serif;fill:#222}.voyage .title{font-size:15px}"
+    ".voyage .ice{fill:#e8eef3;stroke:none}.voyage .water{fill:#9dbdd1;stroke:none}"
+    ".voyage .piece{fill:#c4d8e5;stroke:#4a6d85;stroke-width:.8}"
+    ".voyage .hull{fill:#8b5a3c;fill-opacity:.18;stroke:#5a3620}.voyage .axis{stroke:#444;fill:none}"
+    ".voyage .grid{stroke:#ddd;fill:none}.voyage .load{stroke:#9c2f2f;stroke-width:1;fill:none}"
+    ".voyage .mean{stroke:#222;stroke-width:1.4;stroke-dasharray:6 4;fill:none}";
 
 std::string fixed(double value, int decimals) {
   char text[32];
