@@ -1,6 +1,7 @@
 #include "study/evaluate/cycle_run.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <chrono>
 #include <cmath>
 
@@ -18,8 +19,8 @@ using cycle::Piece;
 using cycle::Record;
 using cycle::VoyageResult;
 
-constexpr int steps_per_sample = 5;  // of the record: 0.2 h with the usual step
-constexpr int enough_voyages = 4;    // for their scatter to say more than the records do
+constexpr int steps_per_sample = 5;        // of the record: 0.2 h with the usual step
+constexpr std::size_t enough_voyages = 4;  // for their scatter to say more than the records do
 
 struct Loads {
   std::vector<double> resistance, vertical;
@@ -193,13 +194,25 @@ class Voyages {
     o_.submersion = formula.total - formula.breaking;
   }
 
+  // A voyage may fall into a pattern of its own that its record does not know of: with few voyages their
+  // scatter counts where the records' intervals make it unlikely, 1 in 20.
+  bool scatter_counts() const {
+    const double n = static_cast<double>(means_.size());
+    if (means_.size() < 2 || means_.size() >= enough_voyages) return means_.size() >= enough_voyages;
+    double mean = 0.0, square = 0.0;
+    for (double m : means_) mean += m / n;
+    for (double m : means_) square += (m - mean) * (m - mean);
+    const double of_records = std::pow(o_.series * std::sqrt(n) / 1.96, 2);
+    return square > of_records * boost::math::quantile(boost::math::chi_squared(n - 1.0), 0.95);
+  }
+
   void average() {
     if (!o_.reason.empty()) return;
     const double under = o_.submersion + o_.water;
     LoadStatistics all = pooled(resistance_, under);
     o_.mean = all.mean, o_.series = all.ci95;
     o_.voyages = interval_of_repeats(means_);
-    o_.ci95 = c_.cycle.voyages < enough_voyages ? o_.series : std::max(o_.series, o_.voyages);
+    o_.ci95 = scatter_counts() ? std::max(o_.series, o_.voyages) : o_.series;
     all.ci95 = o_.ci95;
     const double breaking = o_.mean - under, total = work_.total > 0.0 ? work_.total : 1.0;
     o_.crushing = breaking * work_.crushing / total;

@@ -16,7 +16,8 @@ struct CycleOutcome {
   double mean = 0.0;     //!< of the voyages' mean loads, with submersion [N]
   double series = 0.0;   //!< half width of its 95 % interval, from the records [N]
   double voyages = 0.0;  //!< the same from the scatter of the voyages, Student's t; infinite for one [N]
-  double ci95 = 0.0;     //!< the first, or the larger of both where there are four voyages or more [N]
+  double ci95 = 0.0;     //!< the first; the larger of both from four voyages on, or where they scatter beyond
+                         //!< their records [N]
   // Parts of the mean, that add up to it [N].
   double crushing = 0.0, bending = 0.0, friction = 0.0, submersion = 0.0, water = 0.0;
   double breaking_length = 0.0;  //!< mean of the pieces' radii [m]
