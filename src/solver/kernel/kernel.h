@@ -10,8 +10,9 @@
 //   stretch s = sqrt(1 + e) - 1 = e G(e),  1/|y| = R(e) / L,  s/|y| = e H(e) / L
 // G, R, H are polynomials fitted when the run starts (no root, no division, no cancellation). Which ones a
 // block of a row takes follows from the largest |e| of its bonds:
-//   calm    |e| <= e_calm: series of G, R, H at e = 0; in fp32 their first term alone (relative error of a
-//           force below 0.75 e_calm), in fp64 three terms (below 1e-9)
+//   calm    |e| <= e_calm: series of G, R, H at e = 0, in fp32 of two terms (exact to 1e-6), in fp64 of three
+//           (1e-9). One term would do for the force, but not for its being the same at both ends of a bond
+//           whose ends follow different laws
 //   bent    |e| <= e_small: fits of a low degree
 //   wide    fits on [e_min, e_max]; beyond (a shortening of 10 %) they stay at their value there
 // A block is cracked where a bond of one of its particles is broken: only then, and near the ends of the
@@ -40,7 +41,7 @@ template <class Real>
 struct LawDegrees;
 template <>
 struct LawDegrees<float> {
-  static constexpr int calm = 0, small = 2, wide = 5;
+  static constexpr int calm = 1, small = 2, wide = 5;
 };
 template <>
 struct LawDegrees<double> {
