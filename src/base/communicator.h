@@ -20,10 +20,15 @@ class Communicator {
   int size() const { return size_; }
   bool is_root() const { return rank_ == 0; }
 
+  // MPI counts in int, data here in std::size_t: what is larger than this many bytes travels in several
+  // messages.
+  static constexpr std::size_t largest_message = std::size_t(1) << 30;
+
   // Collective.
   Communicator split(int color) const;  // ranks of one colour form a group, in rank order
   void barrier() const;
-  void broadcast(void* data, std::size_t bytes, int root = 0) const;
+  void broadcast(void* data, std::size_t bytes, int root = 0,
+                 std::size_t most_at_once = largest_message) const;
   std::string broadcast(std::string text, int root = 0) const;
   void sum(std::int64_t* values, int n) const;  // exact, so independent of the number of ranks
   void sum(double* values, int n) const;        // order depends on MPI: never for anything compared bitwise
@@ -33,9 +38,11 @@ class Communicator {
   // Sends `bytes` to rank `to` while it receives as many from rank `from`; -1 = nobody.
   void shift(const void* outgoing, int to, void* incoming, int from, std::size_t bytes) const;
   // Every rank gets the numbers of all, in rank order.
-  std::vector<double> gather_everywhere(const std::vector<double>& own) const;
+  std::vector<double> gather_everywhere(const std::vector<double>& own,
+                                        std::size_t most_at_once = largest_message) const;
   // Root gets every rank's bytes in rank order, the others get nothing.
-  std::vector<std::vector<char>> gather(const std::vector<char>& bytes, int root = 0) const;
+  std::vector<std::vector<char>> gather(const std::vector<char>& bytes, int root = 0,
+                                        std::size_t most_at_once = largest_message) const;
 
   struct Native;  // holds the MPI communicator; see communicator_native.h
   const Native* native() const { return native_.get(); }

@@ -1,5 +1,6 @@
 #include "base/communicator_native.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/errors.h"
@@ -16,6 +17,21 @@ Communicator wrap(MPI_Comm comm, bool owned) {
   MPI_Comm_size(comm, &size);
   return Communicator(native, rank, size);
 }
+
+// send(offset, count) for each message of at most so many bytes.
+template <class Send>
+void in_messages(std::size_t bytes, std::size_t most_at_once, const Send& send) {
+  for (std::size_t offset = 0; offset < bytes; offset += most_at_once)
+    send(offset, static_cast<int>(std::min(most_at_once, bytes - offset)));
+}
+
+std::vector<std::uint64_t> everywhere(std::uint64_t own, int ranks, MPI_Comm comm) {
+  std::vector<std::uint64_t> all(ranks);
+  MPI_Allgather(&own, 1, MPI_UINT64_T, all.data(), 1, MPI_UINT64_T, comm);
+  return all;
+}
+
+constexpr int gather_tag = 2;
 
 }  // namespace
 
@@ -40,8 +56,11 @@ void Communicator::barrier() const {
   if (native_) MPI_Barrier(native_->comm);
 }
 
-void Communicator::broadcast(void* data, std::size_t bytes, int root) const {
-  if (native_) MPI_Bcast(data, static_cast<int>(bytes), MPI_BYTE, root, native_->comm);
+void Communicator::broadcast(void* data, std::size_t bytes, int root, std::size_t most_at_once) const {
+  if (!native_) return;
+  in_messages(bytes, most_at_once, [&](std::size_t offset, int count) {
+    MPI_Bcast(static_cast<char*>(data) + offset, count, MPI_BYTE, root, native_->comm);
+  });
 }
 
 std::string Communicator::broadcast(std::string text, int root) const {
@@ -72,23 +91,27 @@ bool Communicator::any(bool value) const {
   return max(value ? 1.0 : 0.0) == 1.0;
 }
 
-std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes, int root) const {
+std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes, int root,
+                                                    std::size_t most_at_once) const {
   if (!native_) return {bytes};
-  const int length = static_cast<int>(bytes.size());
-  std::vector<int> lengths(size_), starts(size_);
-  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, root, native_->comm);
-  std::size_t total = 0;
-  for (int r = 0; r < size_; ++r) {
-    starts[r] = static_cast<int>(total);
-    total += lengths[r];
-  }
-  std::vector<char> all_bytes(rank_ == root ? total : 0);
-  MPI_Gatherv(bytes.data(), length, MPI_BYTE, all_bytes.data(), lengths.data(), starts.data(), MPI_BYTE, root,
-              native_->comm);
+  const std::vector<std::uint64_t> lengths = everywhere(bytes.size(), size_, native_->comm);
   std::vector<std::vector<char>> parts;
-  if (rank_ != root) return parts;
+  if (rank_ != root) {
+    in_messages(bytes.size(), most_at_once, [&](std::size_t offset, int count) {
+      MPI_Send(bytes.data() + offset, count, MPI_BYTE, root, gather_tag, native_->comm);
+    });
+    return parts;
+  }
   for (int r = 0; r < size_; ++r) {
-    parts.emplace_back(all_bytes.begin() + starts[r], all_bytes.begin() + starts[r] + lengths[r]);
+    if (r == root) {
+      parts.push_back(bytes);
+      continue;
+    }
+    parts.emplace_back(lengths[r]);
+    in_messages(lengths[r], most_at_once, [&](std::size_t offset, int count) {
+      MPI_Recv(parts.back().data() + offset, count, MPI_BYTE, r, gather_tag, native_->comm,
+               MPI_STATUS_IGNORE);
+    });
   }
   return parts;
 }
@@ -100,19 +123,22 @@ void Communicator::shift(const void* outgoing, int to, void* incoming, int from,
                from < 0 ? MPI_PROC_NULL : from, tag, native_->comm, MPI_STATUS_IGNORE);
 }
 
-std::vector<double> Communicator::gather_everywhere(const std::vector<double>& own) const {
+std::vector<double> Communicator::gather_everywhere(const std::vector<double>& own,
+                                                    std::size_t most_at_once) const {
   if (!native_) return own;
-  const int length = static_cast<int>(own.size());
-  std::vector<int> lengths(size_), starts(size_);
-  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, native_->comm);
-  int total = 0;
-  for (int r = 0; r < size_; ++r) {
-    starts[r] = total;
-    total += lengths[r];
+  const std::vector<std::uint64_t> lengths = everywhere(own.size(), size_, native_->comm);
+  std::vector<std::uint64_t> starts(size_);
+  for (int r = 1; r < size_; ++r) starts[r] = starts[r - 1] + lengths[r - 1];
+  std::vector<double> all(starts.back() + lengths.back());
+  if (all.size() * sizeof(double) <= most_at_once) {
+    const std::vector<int> counts(lengths.begin(), lengths.end()), offsets(starts.begin(), starts.end());
+    MPI_Allgatherv(own.data(), counts[rank_], MPI_DOUBLE, all.data(), counts.data(), offsets.data(),
+                   MPI_DOUBLE, native_->comm);
+    return all;
   }
-  std::vector<double> all(total);
-  MPI_Allgatherv(own.data(), length, MPI_DOUBLE, all.data(), lengths.data(), starts.data(), MPI_DOUBLE,
-                 native_->comm);
+  std::copy(own.begin(), own.end(), all.begin() + static_cast<std::ptrdiff_t>(starts[rank_]));
+  for (int r = 0; r < size_; ++r)
+    broadcast(all.data() + starts[r], lengths[r] * sizeof(double), r, most_at_once);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdio>
 
+#include "base/collective.h"
 #include "base/communicator_native.h"
 #include "base/errors.h"
 
@@ -166,7 +167,7 @@ bool ParallelFile::is_root() const {
 
 // Datasets whose sizes differ between ranks part their ideas of the file: it is damaged, or never closed.
 std::uint64_t ParallelFile::of_root(std::uint64_t value) const {
-  native_->comm.broadcast(&value, sizeof value);
+  broadcast(native_->comm, value);
   return value;
 }
 

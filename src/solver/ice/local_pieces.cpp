@@ -2,6 +2,7 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "base/collective.h"
 #include "geometry/union_find.h"
 #include "solver/ice/local_bonds.h"
 #include "solver/ice/local_cloud.h"
@@ -23,18 +24,6 @@ struct Tie {
 struct Numbered {
   std::int64_t label, number;
 };
-
-template <class T>
-std::vector<T> gathered(const Communicator& comm, const std::vector<T>& items) {
-  const char* bytes = reinterpret_cast<const char*>(items.data());
-  std::vector<T> all;
-  for (const std::vector<char>& part : comm.gather({bytes, bytes + items.size() * sizeof(T)})) {
-    const std::size_t n = all.size();
-    all.resize(n + part.size() / sizeof(T));
-    if (!part.empty()) std::memcpy(&all[n], part.data(), part.size());
-  }
-  return all;
-}
 
 // This rank's pieces, cut at its borders.
 class OwnPieces {
@@ -63,7 +52,7 @@ class OwnPieces {
     return list;
   }
 
-  // Of all pieces that may get a number: those that reach the border, stand, are large, or are the largest.
+  // The pieces that may get a number: they reach the border, stand, are large, or are the largest.
   std::vector<Share> shares(std::int64_t floe_size) {
     struct Count {
       std::int64_t size = 0;
@@ -168,8 +157,8 @@ class WholePieces {
 std::vector<std::int32_t> local_pieces(const Communicator& comm, const IceSheet& sheet) {
   const std::int64_t nz = sheet.lattice.nz, floe_size = 4 * nz * nz * nz;
   OwnPieces own(sheet);
-  const std::vector<Tie> ties = gathered(comm, own.ties());
-  const std::vector<Share> shares = gathered(comm, own.shares(floe_size));
+  const std::vector<Tie> ties = gather(comm, own.ties());
+  const std::vector<Share> shares = gather(comm, own.shares(floe_size));
   std::vector<Numbered> numbered;
   if (comm.is_root()) {
     WholePieces whole;
@@ -177,10 +166,7 @@ std::vector<std::int32_t> local_pieces(const Communicator& comm, const IceSheet&
     for (const Share& share : shares) whole.add(share);
     numbered = whole.number(shares, floe_size);
   }
-  std::uint64_t n = numbered.size();
-  comm.broadcast(&n, sizeof n);
-  numbered.resize(n);
-  comm.broadcast(numbered.data(), n * sizeof(Numbered));
+  broadcast(comm, numbered);
   return own.numbers(numbered);
 }
 

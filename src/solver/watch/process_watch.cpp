@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
+#include "base/collective.h"
 #include "solver/model/load_cycle.h"
 #include "solver/model/plate_on_water.h"
 #include "solver/watch/cracks.h"
@@ -12,15 +12,6 @@ namespace icebow {
 namespace {
 
 constexpr std::size_t column_values = 6;
-
-template <class T>
-void broadcast_list(const Communicator& comm, std::vector<T>& values) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  std::uint64_t n = values.size();
-  comm.broadcast(&n, sizeof n);
-  values.resize(n);
-  if (n > 0) comm.broadcast(values.data(), n * sizeof(T));
-}
 
 PlateOnWater floating_sheet(const Scenario& s) {
   return plate_on_water(s.ice.E, s.ice.nu, s.ice.h, s.water.rho);
@@ -83,13 +74,12 @@ BreakingProcess ProcessWatch::sum_up(const Stepper& stepper, const SheetState& s
     all.add(state, state.lattice.nx, 0.0, full_beam_x(stepper));
     p.ice = all.total();
   }
-  comm_.broadcast(p.cracks.columns, sizeof p.cracks.columns);
-  comm_.broadcast(&p.cracks.isolated, sizeof p.cracks.isolated);
-  for (double* volume : {&p.ice.volume, &p.ice.in_floes, &p.ice.dust})
-    comm_.broadcast(volume, sizeof *volume);
-  broadcast_list(comm_, p.cracks.list);
-  broadcast_list(comm_, p.ice.floes);
-  broadcast_list(comm_, p.ice.channel);
+  broadcast(comm_, p.cracks.columns);
+  broadcast(comm_, p.cracks.isolated);
+  for (double* volume : {&p.ice.volume, &p.ice.in_floes, &p.ice.dust}) broadcast(comm_, *volume);
+  broadcast(comm_, p.cracks.list);
+  broadcast(comm_, p.ice.floes);
+  broadcast(comm_, p.ice.channel);
   p.breaking_length = breaking_length(p.cracks.list);
   p.load = load_cycle(history, scenario_.steady_from);
   p.energy = energy_shares(history);

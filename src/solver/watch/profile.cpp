@@ -1,12 +1,14 @@
 #include "solver/watch/profile.h"
 
+#include "base/collective.h"
+
 namespace icebow {
 
 Profile profile_of(const Communicator& comm, const PhaseTimer& timer) {
   double sums[phases];
   for (int p = 0; p < phases; ++p) sums[p] = timer.seconds(static_cast<Phase>(p));
   comm.sum(sums, phases);
-  comm.broadcast(sums, sizeof sums);
+  broadcast(comm, sums);
   Profile profile;
   for (int p = 0; p < phases; ++p) {
     const Phase phase = static_cast<Phase>(p);
