@@ -35,7 +35,7 @@ struct Halo::Message {
 };
 
 Halo::Halo(const Communicator& comm, const Partition& partition, const Layout& layout,
-           std::vector<const Field*> fields, int blocks_deep, int channel)
+           std::vector<Field*> fields, int blocks_deep, int channel)
     : comm_(comm),
       part_(partition),
       layout_(layout),
@@ -87,7 +87,7 @@ std::size_t Halo::size(const Region& r) const {
 
 void Halo::copy(const Region& r, std::vector<std::byte>& buffer, bool pack) const {
   std::byte* packed = buffer.data();
-  for (const Field* field : fields_) {
+  for (Field* field : fields_) {
     const std::size_t size = field->element_size(), length = (r.x1 - r.x0) * size;
     for (int jl = r.jl0; jl < r.jl1; ++jl) {
       for (int k = 0; k < layout_.nz; ++k, packed += length) {
@@ -113,7 +113,7 @@ void Halo::start() {
 
 void Halo::send(int group) {
   for (auto& m : groups_[group]) {
-    // Of the step before. Not in wait(): the neighbour may take this message later than it sends its own.
+    // The message of the step before. Not in wait(): the neighbour may take it later than it sends its own.
     MPI_Wait(&m->requests[1], MPI_STATUS_IGNORE);
     copy(m->own, m->outgoing, true);
     MPI_Isend(m->outgoing.data(), static_cast<int>(m->outgoing.size()), MPI_BYTE, m->peer, m->send_tag,

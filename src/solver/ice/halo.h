@@ -20,8 +20,8 @@ class Halo {
  public:
   // For these fields, with `blocks_deep` (at most ghost_blocks) blocks along x. Two halos that are in flight
   // together need different `channel`s (0, 1, ..).
-  Halo(const Communicator& comm, const Partition& partition, const Layout& layout,
-       std::vector<const Field*> fields, int blocks_deep, int channel);
+  Halo(const Communicator& comm, const Partition& partition, const Layout& layout, std::vector<Field*> fields,
+       int blocks_deep, int channel);
   ~Halo();
   Halo(const Halo&) = delete;
   Halo& operator=(const Halo&) = delete;
@@ -55,7 +55,7 @@ class Halo {
   Communicator comm_;
   Partition part_;
   Layout layout_;
-  std::vector<const Field*> fields_;
+  std::vector<Field*> fields_;
   int channel_;
   std::vector<int> chunk_ends_;
   std::vector<std::vector<std::unique_ptr<Message>>> groups_;

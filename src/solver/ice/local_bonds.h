@@ -28,7 +28,7 @@ class NearbyParticles {
               column = side == 1 ? columns_ - 1 - along : (sides() - 1) * columns_ + along;
     return (column * layout_.nz + k) * width_ + il + reach;
   }
-  // Of the whole sheet; for numbers of particles that exist.
+  // A particle's number in the whole sheet; only for particles that exist.
   std::int64_t id(std::int32_t number) const {
     const int row = number / width_, column = row / layout_.nz;
     const bool starboard = column < (sides() - 1) * columns_;

@@ -21,7 +21,7 @@ std::vector<float> damage(const NearbyParticles& near) {
   return values;
 }
 
-// Of a half model: what lies on the other side of the plane y = 0. Pieces are there already.
+// Adds a half model's other half, beyond the plane y = 0. Pieces are there already.
 void append_mirror_images(IceCloud& c) {
   const auto append = [](std::vector<float>& values, float sign) {
     const std::size_t n = values.size();

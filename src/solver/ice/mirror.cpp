@@ -6,7 +6,7 @@ namespace icebow {
 namespace {
 
 template <class Real>
-void mirror(const Field& field, const Layout& layout, Real sign) {
+void mirror(Field& field, const Layout& layout, Real sign) {
   for (int jl = 0; jl < reach; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
       const Real* const own = field.data<Real>() + layout.row(jl, k) - ghost_blocks * block;
@@ -16,7 +16,7 @@ void mirror(const Field& field, const Layout& layout, Real sign) {
   }
 }
 
-void mirror(const IceSheet& sheet, const Field& field, int sign) {
+void mirror(const IceSheet& sheet, Field& field, int sign) {
   if (sheet.precision == Precision::fp64) {
     mirror<double>(field, sheet.layout, sign);
   } else {
@@ -26,13 +26,13 @@ void mirror(const IceSheet& sheet, const Field& field, int sign) {
 
 }  // namespace
 
-void mirror_displacements(const IceSheet& sheet) {
+void mirror_displacements(IceSheet& sheet) {
   if (!sheet.at_symmetry_plane()) return;
   for (int c = 0; c < 3; ++c) mirror(sheet, sheet.u[c], c == 1 ? -1 : 1);
   mirror(sheet, sheet.extra_strength, 1);
 }
 
-void mirror_dilatations(const IceSheet& sheet) {
+void mirror_dilatations(IceSheet& sheet) {
   if (sheet.at_symmetry_plane()) mirror(sheet, sheet.theta, 1);
 }
 

@@ -7,9 +7,9 @@
 
 namespace icebow {
 
-// Of the rank at the plane; nothing to do on others. The columns 0 .. reach - 1 must be up to date with their
+// Only the rank at the plane has something to do. Its columns 0 .. reach - 1 must be up to date with their
 // ghost blocks.
-void mirror_displacements(const IceSheet& sheet);
-void mirror_dilatations(const IceSheet& sheet);
+void mirror_displacements(IceSheet& sheet);
+void mirror_dilatations(IceSheet& sheet);
 
 }  // namespace icebow

@@ -43,8 +43,8 @@ void IceSheet::start_at(int first) {
 
 // A rank hands its first block on to the west; the last rank's new one is at rest.
 void IceSheet::shift_fields(const Communicator& comm) {
-  std::vector<const Field*> all;
-  for (const Field* group : {u, v, residual, acceleration})
+  std::vector<Field*> all;
+  for (Field* group : {u, v, residual, acceleration})
     for (int c = 0; c < 3; ++c) all.push_back(&group[c]);
   all.push_back(&theta);
   all.push_back(&extra_strength);
@@ -55,7 +55,7 @@ void IceSheet::shift_fields(const Communicator& comm) {
   std::vector<std::byte> outgoing(all.size() * rows * piece), incoming(outgoing.size());
   const auto for_rows = [&](auto visit) {
     std::size_t n = 0;
-    for (const Field* field : all)
+    for (Field* field : all)
       for (int jl = 0; jl < layout.columns; ++jl)
         for (int k = 0; k < layout.nz; ++k, n += piece) visit(field->bytes() + layout.row(jl, k) * size, n);
   };

@@ -134,7 +134,7 @@ std::size_t IceSheet::bytes() const {
 template <class Real>
 RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k, const std::uint8_t* crush) {
   const std::size_t r = layout.row(jl, k);
-  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  const auto at = [r](Field& f) { return f.data<Real>() + r; };
   return {{at(u[0]), at(u[1]), at(u[2])},
           at(extra_strength),
           {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
@@ -154,7 +154,7 @@ void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& setting
   const bool moves = !held(0, layout.j0 + jl);
   for (int k = 0; k < layout.nz; ++k) {
     const std::size_t r = layout.row(jl, k);
-    const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+    const auto at = [r](Field& f) { return f.data<Real>() + r; };
     kernel.passes<Real>().drift({{at(u[0]), at(u[1]), at(u[2])},
                                  {at(v[0]), at(v[1]), at(v[2])},
                                  {at(residual[0]), at(residual[1]), at(residual[2])},
@@ -213,9 +213,9 @@ void IceSheet::find_cracks() {
 }
 
 template <class Real>
-LinearFields<Real> IceSheet::linear_fields(int jl) const {
+LinearFields<Real> IceSheet::linear_fields(int jl) {
   const std::size_t r = layout.row(jl, 0);
-  const auto at = [r](const Field& f) { return f.data<Real>() + r; };
+  const auto at = [r](Field& f) { return f.data<Real>() + r; };
   return {{at(u[0]), at(u[1]), at(u[2])},
           at(theta),
           {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},

@@ -155,7 +155,7 @@ class IceSheet {
   template <class Real>
   RowFields<Real> fields(const Work<Real>& work, int jl, int k, const std::uint8_t* crush);
   template <class Real>
-  LinearFields<Real> linear_fields(int jl) const;
+  LinearFields<Real> linear_fields(int jl);
   template <class Real>
   typename LinearBlocks<Real>::Ice ice(int jl, const std::uint8_t* crush);
   template <class Real>

@@ -25,8 +25,8 @@ class Field {
 
    private:
     friend class Field;
-    Reference(const Field& field, std::size_t i) : field_(field), i_(i) {}
-    const Field& field_;
+    Reference(Field& field, std::size_t i) : field_(field), i_(i) {}
+    Field& field_;
     std::size_t i_;
   };
 
@@ -34,22 +34,28 @@ class Field {
 
   bool is_fp64() const { return fp64_; }
   std::size_t element_size() const { return fp64_ ? sizeof(double) : sizeof(float); }
-  std::byte* bytes() const { return data_; }
+  std::byte* bytes() { return data_; }
+  const std::byte* bytes() const { return data_; }
   // Real must be the field's own type.
   template <class Real>
-  Real* data() const {
+  Real* data() {
     return reinterpret_cast<Real*>(data_);
+  }
+  template <class Real>
+  const Real* data() const {
+    return reinterpret_cast<const Real*>(data_);
   }
 
   double get(std::size_t i) const { return fp64_ ? data<double>()[i] : double(data<float>()[i]); }
-  void set(std::size_t i, double value) const {
+  void set(std::size_t i, double value) {
     if (fp64_) {
       data<double>()[i] = value;
     } else {
       data<float>()[i] = static_cast<float>(value);
     }
   }
-  Reference operator[](std::size_t i) const { return {*this, i}; }
+  double operator[](std::size_t i) const { return get(i); }
+  Reference operator[](std::size_t i) { return {*this, i}; }
 
  private:
   struct Free {

@@ -1,6 +1,7 @@
 #include "solver/run/sheet_file.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace icebow {
@@ -76,15 +77,16 @@ Places states_of(const IceSheet& sheet, const Range& r) {
 const char* const components[] = {"_x", "_y", "_z"};
 
 // visit(name, address) for each array that a step starts from.
-template <class Visit>
-void for_each_field(const IceSheet& sheet, Visit visit) {
-  const std::pair<const char*, const Field*> groups[] = {
+template <class AnySheet, class Visit>
+void for_each_field(AnySheet& sheet, Visit visit) {
+  using FieldOfSheet = std::remove_reference_t<decltype((sheet.theta))>;  // const where the sheet is
+  const std::pair<const char*, FieldOfSheet*> groups[] = {
       {"u", sheet.u}, {"v", sheet.v}, {"residual", sheet.residual}, {"acceleration", sheet.acceleration}};
-  const auto visit_field = [&](const std::string& name, const Field& field) {
+  const auto visit_field = [&](const std::string& name, FieldOfSheet& field) {
     if (sheet.precision == Precision::fp64) {
-      visit(name, field.data<double>());
+      visit(name, field.template data<double>());
     } else {
-      visit(name, field.data<float>());
+      visit(name, field.template data<float>());
     }
   };
   for (const auto& [name, fields] : groups) {

@@ -57,7 +57,7 @@ WaterReaction::WaterReaction(const Communicator& comm, const Scenario& s, const 
 template <class Real>
 WaterFields<Real> WaterReaction::fields(IceSheet& sheet, int jl, int b) const {
   const std::size_t p = sheet.layout.row(jl, 0) + std::size_t(b) * block;
-  const auto at = [p](const Field& f) { return f.data<Real>() + p; };
+  const auto at = [p](Field& f) { return f.data<Real>() + p; };
   return {{at(sheet.u[0]), at(sheet.u[1]), at(sheet.u[2])},
           {at(sheet.v[0]), at(sheet.v[1]), at(sheet.v[2])},
           {at(sheet.acceleration[0]), at(sheet.acceleration[1]), at(sheet.acceleration[2])},

@@ -103,12 +103,12 @@ TEST_CASE("a time step above the limit is found out long before values overflow"
     Sailed ice(s, far_away, over);
     std::mt19937 random(3);
     std::uniform_real_distribution<float> uniform(-0.01f, 0.01f);
-    const IceSheet& sheet = ice.stepper.sheet();
+    IceSheet& sheet = ice.stepper.sheet();
     for (int jl = 0; jl < sheet.layout.columns; ++jl) {
       for (int k = 0; k < sheet.layout.nz; ++k) {
         for (int l = 0; l < sheet.layout.blocks * icebow::block; ++l) {
           if (!sheet.mobile(jl, l)) continue;
-          for (const Field& v : sheet.v) v[sheet.layout.row(jl, k) + l] = uniform(random);
+          for (Field& v : sheet.v) v[sheet.layout.row(jl, k) + l] = uniform(random);
         }
       }
     }
@@ -126,7 +126,7 @@ TEST_CASE("what goes wrong beside the hull is put down to contact, squeezed ice 
   Scenario s = small_run();
   Sailed ship(s, first_touch_x(tiny_hull(), make_lattice(s)), 0.8);
   ship.run(700);
-  const IceSheet& sheet = ship.stepper.sheet();
+  IceSheet& sheet = ship.stepper.sheet();
   const std::size_t far = sheet.layout.row(0, 0) + 20;
   CHECK(likely_cause(ship.stepper, far, ship.limit).find("not known") == 0);
   CHECK(likely_cause(ship.stepper, far, 0.5 * ship.stepper.dt()).find("the time step is 2 times") == 0);
