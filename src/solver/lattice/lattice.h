@@ -1,9 +1,16 @@
 // The ice sheet as a uniform lattice, and one rank's part of it.
 //
-// Notation. A particle is (i, j, k): i along the ship's course (x), j across it (y), k upwards (z). Particles
-// with the same (j, k) form a row; a row is stored contiguously in x, padded with one ghost block at each
-// end. Along x a rank owns whole blocks of 16 particles, so that a particle has the same lane on any number
-// of ranks.
+// The words of the solver:
+//   i, j, k   a particle's place in the sheet: along the ship's course (x), across it (y), upwards (z)
+//   il, jl    i and j counted from the rank's first own particle and column; ghosts lie below 0 or behind the
+//   last row       the particles of one (j, k), contiguous in x, padded with ghost blocks at each end column
+//   the rows of one j: all layers above each other block     16 particles of a row. Along x a rank owns whole
+//   blocks, so that a particle has the same lane on any
+//             number of ranks
+//   lane      a particle's place in its block, 0 to 15
+//   slot      a direction in which bonds go to higher ends; each layer k has its own slots (stencil.h)
+//   word      16 bits, a lane each: which bonds of one block and slot are alive
+//   ghost     a copy of a neighbouring rank's particle
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace icebow {
 
-// Of the resistance from the advance `steady_from` [m] on. A record is searched up to a third of its length:
+// Looks at the resistance from the advance `steady_from` [m] on, up to a third of the record's length:
 // a period must fit three times.
 LoadCycle load_cycle(const History& history, double steady_from);
 

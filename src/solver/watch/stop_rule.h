@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/model/history.h"
-#include "solver/model/metrics.h"
+#include "solver/model/statistics.h"
 
 namespace icebow {
 
@@ -17,7 +17,7 @@ constexpr double look_growth = 1.5, fewest_independent = 30.0;
 bool is_look(int steady_samples);
 // Half width of the interval at most `relative_half_width` of the mean, in a record worth enough samples.
 bool narrow_enough(const LoadStatistics& load, double relative_half_width);
-// Of a run's resistance beyond `steady_from` [m]: false between looks, and always where the width is 0.
+// Judges the resistance beyond `steady_from` [m]: false between looks, and always where the width is 0.
 // Depends on the record alone, so a run that is taken up again stops at the same sample.
 bool enough_recorded(const History& history, double steady_from, double relative_half_width);
 

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <random>
 
-#include "solver/model/metrics.h"
+#include "solver/model/statistics.h"
 
 using namespace icebow;
 

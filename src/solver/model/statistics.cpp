@@ -1,15 +1,10 @@
-// Mean of a correlated series and how far to trust it.
-//
-// For finite values no result is NaN: a series too short for an interval has an infinite one, a constant
-// series has ci95 = 0. Everything is computed on values divided by their largest magnitude, so squares cannot
-// overflow.
+#include "solver/model/statistics.h"
+
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
-
-#include "solver/model/metrics.h"
 
 namespace icebow {
 namespace {
@@ -18,6 +13,7 @@ using Values = std::vector<double>;
 
 constexpr int fewest_for_an_interval = 8;
 
+// Everything is computed on values divided by this, so squares cannot overflow.
 double largest_magnitude(const Values& values) {
   double largest = 0.0;
   for (double v : values) {
