@@ -46,7 +46,7 @@ class SchemaTest(unittest.TestCase):
 
     def test_both_accept_good_files(self):
         files = json_files(FILES / "good") + json_files(ROOT / "studies") + json_files(ROOT / "studies/families")
-        files.append(ROOT / "studies/convergence/layers.json")
+        files += [ROOT / "studies/convergence/layers.json", ROOT / "studies/convergence/time_step.json"]
         said = reader(files)
         for path in files:
             with self.subTest(path.name):
