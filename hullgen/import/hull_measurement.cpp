@@ -157,16 +157,30 @@ Row both(const Row& before, const Row& after, double same) {
   return row;
 }
 
-// Slope at `at` of the least-squares parabola through the samples within the window, at least three; where
-// there are only two, of the panel between them.
-double slope(Row row, double at, double window) {
+Row sorted_by_distance(Row row, double at) {
   std::sort(row.begin(), row.end(), [at](const Sample& a, const Sample& b) {
     return std::abs(a.along - at) < std::abs(b.along - at);
   });
+  return row;
+}
+
+// Slope of the panel across `at`, or of the first one beside it. Rows are sorted by distance.
+double chord(const Row& row, double at) {
+  const auto below = std::find_if(row.begin(), row.end(), [&](const Sample& s) { return s.along < at; });
+  const auto above = std::find_if(row.begin(), row.end(), [&](const Sample& s) { return s.along > at; });
+  const bool across = below != row.end() && above != row.end();
+  const Sample &p = across ? *below : row[0], &q = across ? *above : row[1];
+  return (q.s - p.s) / (q.along - p.along);
+}
+
+// Slope at `at` of the least-squares parabola through the samples within the window, at least three; where
+// there are only two, of the panel there.
+double slope(Row row, double at, double window) {
+  row = sorted_by_distance(std::move(row), at);
   std::size_t n = 0;
   while (n < row.size() && (n < 3 || std::abs(row[n].along - at) <= window)) ++n;
   if (n < 2) return none;
-  if (n == 2) return (row[1].s - row[0].s) / (row[1].along - row[0].along);
+  if (n == 2) return chord(row, at);
   Eigen::MatrixX3d powers(n, 3);
   Eigen::VectorXd s(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -240,7 +254,12 @@ Vec3 Measuring::outboard_of(double y) const {
 void Measuring::read_stem(const Cut& profile) {
   const Row before = trusted(profile.before), after = trusted(profile.after);
   const Row row = both(before, after, same_);
-  slopes_.stem = -slope(row, 0.0, window_);
+  const auto near = std::count_if(row.begin(), row.end(),
+                                  [&](const Sample& s) { return std::abs(s.along) <= 2.5 * window_; });
+  // CAD programs put few points on what is nearly straight: then the panel across the waterline is the
+  // profile.
+  slopes_.stem =
+      -(near >= 3 || row.size() < 3 ? slope(row, 0.0, window_) : chord(sorted_by_distance(row, 0.0), 0.0));
   const double angle = std::atan2(1.0, slopes_.stem);
   take_spread(result_.spread.stem, angle, std::atan2(1.0, -slope(row, 0.0, 2.0 * window_)));
 }

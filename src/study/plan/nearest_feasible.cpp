@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "hullgen/bow/dimensions.h"
+#include "hullgen/bow/family.h"
 #include "hullgen/bow/feasibility.h"
 #include "study/plan/optimiser.h"
 
@@ -99,9 +100,33 @@ std::optional<NearestBow> nearest_feasible(const BowParameters& bow) {
   options.algorithm = "cobyla";
   options.max_evaluations = 3000;
   options.tolerance = 1e-5;
-  const OptimiserResult found = optimise(problem_of(bow), options);
-  if (found.best.empty()) return {};
-  const auto x = rounded(bow, found.best);
+  // The search's own best is the start, at no distance: what counts is the best point with its margins kept.
+  OptimiserProblem problem = problem_of(bow);
+  std::vector<double> best;
+  double least = 1e300;
+  const auto distance = problem.value;
+  problem.value = [&](const std::vector<double>& x) {
+    const double value = distance(x);
+    const std::vector<double> margins = problem.margins(x);
+    const bool kept = std::all_of(margins.begin(), margins.end(), [](double g) { return g >= -1e-3; });
+    if (kept && value < least) least = value, best = x;
+    return value;
+  };
+  optimise(problem, options);
+  if (best.empty()) {  // the way from there is barred: come from the middle of the family
+    const BowParameters preset = preset_bow(bow.family);
+    BowParameters middle = bow;
+    middle.angles = preset.angles;
+    middle.Lf = preset.Lf * bow.B / preset.B;
+    for (std::size_t k = 0; k < problem.start.size(); ++k) problem.start[k] = value_of(middle, parameters[k]);
+    for (std::size_t k = 0; k < problem.start.size(); ++k) {
+      problem.lower[k] = std::min(problem.lower[k], problem.start[k]);
+      problem.upper[k] = std::max(problem.upper[k], problem.start[k]);
+    }
+    optimise(problem, options);
+  }
+  if (best.empty()) return {};
+  const auto x = rounded(bow, best);
   if (!x) return {};
   NearestBow nearest;
   nearest.bow = at(bow, *x);
