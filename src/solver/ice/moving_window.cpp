@@ -108,7 +108,10 @@ void IceSheet::mend_bonds(int jl) {
   for (int k = 0; k < layout.nz; ++k) {
     for (int s = 0; s < stencil.slots(k); ++s) {
       const Offset& o = stencil.half[k][s];
-      if (partition.west < 0) words_of(0, k)[s] &= BondBits::whole(lattice, o, layout.i0, j);
+      if (partition.west < 0) {
+        words_of(-1, k)[s] = 0;  // the dropped block's
+        words_of(0, k)[s] &= BondBits::whole(lattice, o, layout.i0, j);
+      }
       if (followed(last)) words_of(last, k)[s] = BondBits::whole(lattice, o, layout.i0 + last * block, j);
       if (o.di <= 0 || !followed(last - 1)) continue;
       const unsigned beyond = 0xffffu & ~(0xffffu >> o.di);
