@@ -6,9 +6,14 @@ if(ICEBOW_ASSERTS)
   string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
 endif()
 if(ICEBOW_SANITIZE)
-  # g++ 12 with sanitizers warns of a variable inside std::regex that is not uninitialised.
+  # g++ 12 with sanitizers warns of variables inside the standard library that are not uninitialised.
   target_compile_options(icebow_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
+  target_link_options(icebow_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+if(ICEBOW_FUZZ)
+  target_compile_options(icebow_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined)
   target_link_options(icebow_flags INTERFACE -fsanitize=address,undefined)
 endif()
 

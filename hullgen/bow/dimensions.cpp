@@ -29,14 +29,15 @@ std::string not_a_length(const BowParameters& bow) {
     if (!std::isfinite(n.value)) return text("%s is not a finite number: give it in metres", n.name);
     if (n.value <= 0.0) return text("%s is %g m: it must be positive", n.name, n.value);
   }
-  return std::isfinite(bow.panel) ? ""
-                                  : "panel size is not a finite number: give it in metres, or 0 for B/60";
+  return std::isfinite(bow.panel)
+             ? ""
+             : "panel size is not a finite number: give it in metres, or leave it out for B/60";
 }
 
 std::string bad_panel(const BowParameters& bow) {
   const double largest = coarsest_panel * bow.B, smallest = finest_panel * bow.B;
   if (bow.panel == 0.0 || (bow.panel >= smallest && bow.panel <= largest)) return "";
-  return text("panel size %g m is outside %.3g to %.3g m (B/400 to B/8): %s it, or give 0 for B/60",
+  return text("panel size %g m is outside %.3g to %.3g m (B/400 to B/8): %s it, or leave it out for B/60",
               bow.panel, smallest, largest, bow.panel < smallest ? "raise" : "lower");
 }
 

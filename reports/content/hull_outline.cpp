@@ -79,7 +79,8 @@ std::vector<Vec3> read_waterline(const std::string& obj_path) {
   const ObjMesh mesh = read_obj(obj_path);
   if (mesh.faces.empty() || has_bad_corner(mesh)) return {};
   std::vector<Vec3> points = cut_at_waterline(mesh);
-  points.erase(std::remove_if(points.begin(), points.end(), [](const Vec3& p) { return p[1] < -1e-9; }),
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const Vec3& p) { return !p.allFinite() || p[1] < -1e-9; }),
                points.end());
   return foremost(std::move(points));
 }

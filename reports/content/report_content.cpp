@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "base/errors.h"
-#include "reports/text/inline_svg.h"
+#include "reports/content/inline_svg.h"
 #include "reports/text/json_fields.h"
 #include "study/store/design_files.h"
 
@@ -18,51 +19,77 @@ constexpr std::uintmax_t picture_budget = 12'000'000;  // bytes of PNG in the wh
 constexpr std::size_t history_points = 40'000;         // of all designs together
 constexpr double plan_height_px = 26.0;
 
-// The file a result names, in the design's own directory whatever the name says.
-fs::path design_file(const fs::path& directory, const Json& result, const std::string& key,
-                     const char* usual) {
-  const std::string named = text_at(result, "/files/" + key);
-  return directory / fs::path(named.empty() ? usual : named).filename();
+constexpr std::uintmax_t largest_drawing = 8'000'000;  // bytes; ours have some hundred thousand
+
+// A design's directory, from which nothing is read that does not lie in the study's: a study that somebody
+// has sent may hold links to files of the reader's own.
+class DesignFiles {
+ public:
+  DesignFiles(const std::string& study_directory, const std::string& name)
+      : study_(fs::weakly_canonical(study_directory)), directory_(design_directory(study_directory, name)) {}
+
+  // Empty where there is no such file.
+  std::string path(const std::string& name) const {
+    std::error_code error;
+    const fs::path file = fs::canonical(directory_ / fs::path(name).filename(), error);
+    if (error || !fs::is_regular_file(file, error)) return "";
+    const auto [end, ignored] = std::mismatch(study_.begin(), study_.end(), file.begin(), file.end());
+    return end == study_.end() ? file.string() : "";
+  }
+
+  // The file a result names, in the design's own directory whatever the name says.
+  std::string named(const Json& result, const std::string& key, const char* usual) const {
+    const std::string name = text_at(result, "/files/" + key);
+    return path(name.empty() ? usual : name);
+  }
+
+ private:
+  fs::path study_, directory_;
+};
+
+bool is_png(const std::string& path) {
+  char head[8] = {};
+  std::ifstream(path, std::ios::binary).read(head, 8);
+  return std::string(head, 8) == "\x89PNG\r\n\x1a\n";
 }
 
 constexpr int most_voyages = 5;  // in a page: of the first ranks
 
-std::string lines_plan(const fs::path& file, const std::string& id) {
+std::string lines_plan(const std::string& file, const std::string& id) {
   try {
-    return fs::exists(file) ? inline_svg(read_text_file(file.string()), id + "-") : std::string();
+    return file.empty() ? std::string() : inline_svg(read_text_file(file, largest_drawing), id + "-");
   } catch (const InputError&) {
     return {};
   }
 }
 
-std::vector<Picture> pictures_of(const fs::path& directory, const Json& result) {
+std::vector<Picture> pictures_of(const DesignFiles& files, const Json& result) {
   std::vector<Picture> pictures;
   const Json& list = part_at(result, "/files/pictures");
   if (!list.is_array()) return pictures;
   for (const Json& entry : list) {
-    const fs::path file = directory / fs::path(text_at(entry, "/file")).filename();
-    if (fs::is_regular_file(file)) pictures.push_back({file.string(), number_at(entry, "/advance_m")});
+    const std::string file = files.path(text_at(entry, "/file"));
+    if (!file.empty() && is_png(file)) pictures.push_back({file, number_at(entry, "/advance_m")});
   }
   return pictures;
 }
 
 DesignContent read_design(const StudyResults& study, std::size_t index) {
   const Evaluation& e = study.ranking.rows[index].evaluation;
-  const fs::path directory = design_directory(study.directory, e.name);
+  const DesignFiles files(study.directory, e.name);
   DesignContent design;
   design.id = "design-" + std::to_string(index + 1);
   design.lambda = number_at(e.result, "/simulation/lambda");
   if (!std::isfinite(design.lambda)) design.lambda = number_at(e.result, "/metrics/lambda");
-  design.waterline = read_waterline(design_file(directory, e.result, "hull", "hull.obj").string());
-  design.lines_plan = lines_plan(design_file(directory, e.result, "lines_plan", "lines.svg"), design.id);
+  design.waterline = read_waterline(files.named(e.result, "hull", "hull.obj"));
+  design.lines_plan = lines_plan(files.named(e.result, "lines_plan", "lines.svg"), design.id);
   const int rank = study.ranking.rows[index].rank;
   if (rank > 0 && rank <= most_voyages)
-    design.voyage =
-        lines_plan(design_file(directory, e.result, "voyage", "voyage.svg"), design.id + "-voyage");
-  design.pictures = pictures_of(directory, e.result);
+    design.voyage = lines_plan(files.named(e.result, "voyage", "voyage.svg"), design.id + "-voyage");
+  design.pictures = pictures_of(files, e.result);
   if (e.status == EvaluationStatus::ok && std::isfinite(design.lambda)) {
-    const fs::path history = design_file(directory, e.result, "history", "history.csv");
-    design.history = read_load_series(history.string(), design.lambda, std::pow(design.lambda, 3));
+    design.history = read_load_series(files.named(e.result, "history", "history.csv"), design.lambda,
+                                      std::pow(design.lambda, 3));
   }
   return design;
 }

@@ -57,7 +57,7 @@ void count_statuses(StudyResults& study, const std::vector<Evaluation>& evaluati
   for (const Evaluation& e : evaluations) {
     if (e.status == EvaluationStatus::ok) ++study.ok;
     if (e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1) ++study.infeasible;
-    if (e.status == EvaluationStatus::failed) ++study.failed;
+    if (e.status == EvaluationStatus::failed || e.status == EvaluationStatus::damaged) ++study.failed;
     study.wall_seconds += e.wall_seconds;
   }
 }

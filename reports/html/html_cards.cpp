@@ -55,7 +55,7 @@ std::string imported_note(const Json& result) {
   std::string html = "<p class=\"note\">Hull imported from " + html_escaped(text_at(imported, "/file"));
   const Json& repairs = part_at(imported, "/repairs");
   if (repairs.is_array())
-    for (const Json& words : repairs) html += "; " + html_escaped(words.get<std::string>());
+    for (const Json& words : repairs) html += "; " + html_escaped(text_at(words, ""));
   return html + ".</p>\n";
 }
 

@@ -159,6 +159,8 @@ std::string status_label(EvaluationStatus status) {
       return "<span class=\"status\">\u25b3 infeasible</span>";
     case EvaluationStatus::failed:
       return "<span class=\"status\">\u2715 failed</span>";
+    case EvaluationStatus::damaged:
+      return "<span class=\"status\">\u2715 damaged</span>";
     case EvaluationStatus::running:
       return "<span class=\"status\">\u2026 running</span>";
     case EvaluationStatus::ok:

@@ -2,6 +2,7 @@
 
 #include "base/json.h"
 #include "reports/html/chart_data.h"
+#include "reports/html/content_security.h"
 #include "reports/html/html_sections.h"
 #include "reports/html/page_template.h"
 #include "reports/html/report_assets.h"
@@ -34,6 +35,7 @@ std::map<std::string, std::string> page_values(const ReportContent& content) {
           {"has_lindqvist", flag(content.has_lindqvist())},
           {"has_both", flag(content.has_loads() && content.has_lindqvist() && ranked > 0)},
           {"has_histories", flag(content.has_histories())},
+          {"policy", content_security_policy(report_script())},
           {"data", json_for_script(chart_data(content))},
           {"style", report_style()},
           {"script", report_script()}};

@@ -14,7 +14,8 @@ struct Mistake {
   std::string message;  // e.g. "is 95, allowed 5 to 85 deg"
 };
 
-// The whole file was read before this was thrown: every mistake is in it. Exit code 2.
+// The whole file was read before this was thrown: every mistake is in it, and what() has the first fifty.
+// Exit code 2.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::vector<Mistake> mistakes);

@@ -1,15 +1,9 @@
 #include "base/json.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "base/errors.h"
+#include "base/printable.h"
 
 namespace icebow {
 namespace {
@@ -67,6 +61,8 @@ std::string without_prefix(const std::string& what) {
   return text;
 }
 
+constexpr std::size_t most_mistakes = 100;  // each is looked for from the beginning of the text
+
 // Reads once for what the tree cannot show any more: repeated keys, numbers beyond a double, where the syntax
 // breaks.
 class Checker : public nlohmann::json_sax<Json> {
@@ -89,19 +85,21 @@ class Checker : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     if (!levels_.back().keys.insert(name).second) {
       // `taken_` stands behind the closing quote.
-      mistakes.push_back({to_string(place_of(text_, taken_ > 0 ? taken_ - 1 : 0)),
-                          "key \"" + name + "\" is given twice in one object; keep one of them"});
+      mistakes.push_back(
+          {to_string(place_of(text_, taken_ > 0 ? taken_ - 1 : 0)),
+           "key \"" + shortened(name, 80) + "\" is given twice in one object; keep one of them"});
     }
-    return true;
+    return mistakes.size() < most_mistakes;
   }
 
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& error) override {
     const std::size_t at = position > 0 ? position - 1 : 0;
     const bool overflow = dynamic_cast<const Json::out_of_range*>(&error) != nullptr;
-    mistakes.push_back({to_string(place_of(text_, at)),
-                        overflow ? "number " + token + " does not fit a double (largest about 1.8e308)"
-                                 : without_prefix(error.what())});
+    mistakes.push_back(
+        {to_string(place_of(text_, at)),
+         overflow ? "number " + shortened(token, 80) + " does not fit a double (largest about 1.8e308)"
+                  : shortened(without_prefix(error.what()), 300)});
     return false;
   }
 
@@ -112,7 +110,11 @@ class Checker : public nlohmann::json_sax<Json> {
   static bool value() { return true; }
   bool open() {
     levels_.emplace_back();
-    return true;
+    if (levels_.size() <= most_levels) return true;
+    mistakes.push_back({to_string(place_of(text_, taken_ > 0 ? taken_ - 1 : 0)),
+                        "objects and lists stand more than " + std::to_string(most_levels) +
+                            " deep in each other here; no file of icebow needs so many"});
+    return false;
   }
   bool close() {
     levels_.pop_back();
@@ -136,35 +138,7 @@ Json parse_json(const std::string& text, const std::string& name) {
 }
 
 Json read_json_file(const std::string& path) {
-  return parse_json(read_text_file(path), path);
-}
-
-void write_text_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
-  const auto fail = [&](const char* doing) {
-    const std::string why = std::strerror(errno);
-    std::remove(temporary.c_str());
-    throw RuntimeError("cannot " + std::string(doing) + " " + path + ": " + why);
-  };
-  errno = 0;
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  if (!out) fail("write");
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) fail("write");
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail("replace");
-}
-
-std::string read_text_file(const std::string& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();  // sets failbit for an empty file too, badbit or nothing read for a directory
-  const bool empty = in && in.peek() == std::ifstream::traits_type::eof();
-  if (!in.is_open() || errno != 0 || (text.tellp() <= 0 && !empty)) {
-    throw InputError("cannot read " + path + ": " + std::strerror(errno != 0 ? errno : EIO));
-  }
-  return text.str();
+  return parse_json(read_text_file(path, most_json_bytes), path);
 }
 
 }  // namespace icebow

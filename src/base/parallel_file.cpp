@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdio>
 
@@ -53,6 +54,23 @@ bool is_empty(const Slab& slab) {
   return false;
 }
 
+constexpr hsize_t most_listed = hsize_t{1} << 32;  // elements that every rank reads
+constexpr hsize_t most_part_bytes = 1 << 20;
+
+// Parts of an array that carry a checksum each: whole along the last axes, a megabyte at most.
+std::vector<hsize_t> part_of(const std::vector<std::uint64_t>& extent, std::size_t element) {
+  std::vector<hsize_t> part = sizes(extent);
+  hsize_t bytes = element;
+  for (const hsize_t n : part) bytes *= n;
+  for (hsize_t& n : part) {
+    const hsize_t times = std::min(n, (bytes + most_part_bytes - 1) / most_part_bytes);
+    bytes = bytes / n;
+    n = (n + times - 1) / times;
+    bytes *= n;
+  }
+  return part;
+}
+
 // A selection of HDF5; nothing where a count is 0.
 hid_t selection(const Slab& slab) {
   const std::vector<hsize_t> extent = sizes(slab.extent), start = sizes(slab.start),
@@ -84,6 +102,7 @@ struct ParallelFile::Native {
   std::string path;
   hid_t file = H5I_INVALID_HID, transfer = H5P_DEFAULT;
   const char* doing = "read";
+  bool checksums = false;
 
   Native(const Communicator& c, const std::string& p) : comm(c), path(p) {}
   ~Native() {
@@ -142,11 +161,14 @@ ParallelFile::ParallelFile(const Communicator& comm, const std::string& path)
 ParallelFile::ParallelFile(ParallelFile&&) noexcept = default;
 ParallelFile::~ParallelFile() = default;
 
-ParallelFile ParallelFile::create(const Communicator& comm, const std::string& path) {
+ParallelFile ParallelFile::create(const Communicator& comm, const std::string& path, Checksums checksums) {
   ParallelFile f(comm, path);
   Native& n = *f.native_;
   n.doing = "write";
+  n.checksums = checksums == Checksums::yes;
   const Handle access(n.access(), H5Pclose);
+  // HDF5's records have checksums in the formats from 1.10 on only.
+  if (n.checksums) H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   n.file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   n.agree(n.file >= 0);
   return f;
@@ -182,8 +204,14 @@ void ParallelFile::write_raw(const std::string& name, Type type, const Slab& in_
   Native& n = *native_;
   const hid_t native_type = Native::native_type(type);
   const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
-  const Handle set(
-      H5Dcreate2(n.file, name.c_str(), native_type, there, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  if (n.checksums && !is_empty(in_file)) {
+    const std::vector<hsize_t> part = part_of(in_file.extent, H5Tget_size(native_type));
+    H5Pset_chunk(layout, static_cast<int>(part.size()), part.data());
+    H5Pset_fletcher32(layout);
+  }
+  const Handle set(H5Dcreate2(n.file, name.c_str(), native_type, there, H5P_DEFAULT, layout, H5P_DEFAULT),
+                   H5Dclose);
   n.agree(set.ok());
   if (is_empty(in_file)) return;
   n.agree(H5Dwrite(set, native_type, here, there, n.transfer, memory) >= 0);
@@ -208,6 +236,7 @@ std::uint64_t ParallelFile::length(const std::string& name) {
   native_->agree(H5Sget_simple_extent_ndims(space) == 1, name + " is not a list");
   hsize_t n = 0;
   H5Sget_simple_extent_dims(space, &n, nullptr);
+  native_->agree(n <= most_listed, name + " is longer than a list may be");
   return n;
 }
 

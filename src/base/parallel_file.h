@@ -22,10 +22,16 @@ struct Slab {
   static Slab nothing(const std::vector<std::uint64_t>& extent);
 };
 
+// What a file says of itself when it is read: with checksums, each part of an array and HDF5's own records
+// carry one (Fletcher's of 32 bits, Jenkins' lookup3), and reading what a disk has changed is an error. For
+// files of ours; other programs' versions of HDF5 may be too old.
+enum class Checksums { no, yes };
+
 class ParallelFile {
  public:
-  static ParallelFile create(const Communicator& comm, const std::string& path);  // replaces what is there
-  static ParallelFile open(const Communicator& comm, const std::string& path);    // to read
+  static ParallelFile create(const Communicator& comm, const std::string& path,
+                             Checksums checksums = Checksums::no);              // replaces what is there
+  static ParallelFile open(const Communicator& comm, const std::string& path);  // to read
   ~ParallelFile();
   ParallelFile(ParallelFile&&) noexcept;
 

@@ -210,7 +210,7 @@ int run_calibrate(const Communicator&, const Arguments& arguments) {
   if (arguments.has("--cycle")) return calibrate_cycle(chosen, arguments.has("--json"));
   const Comparison c = compare(chosen, arguments.has("--in-situ"));
   if (arguments.has("--json")) {
-    std::cout << to_json(c, chosen.design.name).dump(2) << "\n";
+    std::cout << json_text(to_json(c, chosen.design.name), 2) << "\n";
   } else {
     std::cout << for_people(c, chosen.design.name);
   }

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/study_choice.h"
@@ -148,8 +149,8 @@ std::string size_line(const Case& c) {
 int run_check(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const StudyPlan plan = plan_study(spec);
-  std::string text = spec.file + ": no mistakes\n" + spec.name + "\n";
-  if (!spec.purpose.empty()) text += "purpose: " + spec.purpose + "\n";
+  std::string text = spec.file + ": no mistakes\n" + printable(spec.name) + "\n";
+  if (!spec.purpose.empty()) text += "purpose: " + printable(spec.purpose) + "\n";
   text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(spec) +
           operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +

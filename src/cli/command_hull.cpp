@@ -111,7 +111,7 @@ int run_hull(const Communicator&, const Arguments& arguments) {
     more += "\n" + explanation_text(bow);
   }
   if (arguments.has("--json")) {
-    std::cout << json.dump(2) << "\n";
+    std::cout << json_text(json, 2) << "\n";
   } else {
     std::cout << chosen.design.name << "\n\n"
               << angle_rows(hull) << "\n"

@@ -22,6 +22,7 @@
 #include "hullgen/import/offsets.h"
 #include "hullgen/mesh/mesh_check.h"
 #include "hullgen/mesh/mesh_io.h"
+#include "study/evaluate/evaluation.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
@@ -335,7 +336,7 @@ int run_measure(const Communicator&, const Arguments& arguments) {
   if (tonnes > 0.0) report.draft_for_displacement = {tonnes, draft_for_volume(mesh, 1e3 * tonnes / density)};
   write_outputs(report, arguments, density);
   if (arguments.has("--json")) {
-    std::cout << measure_json(report).dump(2) << "\n";
+    std::cout << json_text(measure_json(report), 2) << "\n";
   } else {
     std::cout << path << ": " << mesh.quads.size() << " panels, closed, free of self-intersections\n"
               << measure_text(report);

@@ -8,10 +8,25 @@
 
 namespace icebow {
 
+namespace {
+
+// A ranking without a design that was in it is not the study's.
+int said_of_damage(const Ranking& ranking) {
+  int code = exit_code::ok;
+  for (const RankedDesign& row : ranking.rows) {
+    if (row.evaluation.status != EvaluationStatus::damaged) continue;
+    std::cerr << "icebow rank: " << row.evaluation.name << " is missing: " << row.evaluation.reason << "\n";
+    code = exit_code::some_designs_failed;
+  }
+  return code;
+}
+
+}  // namespace
+
 int run_rank(const Communicator&, const Arguments& arguments) {
   const Ranking ranking = read_ranking(arguments.positional);
-  std::cout << (arguments.has("--json") ? to_json(ranking).dump(2) + "\n" : ranking_text(ranking));
-  return exit_code::ok;
+  std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n" : ranking_text(ranking));
+  return said_of_damage(ranking);
 }
 
 int run_report(const Communicator&, const Arguments& arguments) {

@@ -117,7 +117,7 @@ int run_resistance(const Communicator&, const Arguments& arguments) {
                       {"riska", riska_json(a)},
                       {"cycle", cycle_json(a.cycle, c, c.cycle.rule)},
                       {"inputs", lindqvist_inputs_json(a.inputs)}}
-                     .dump(2)
+                     .dump(2, ' ', false, Json::error_handler_t::replace)
               << "\n";
   } else {
     std::cout << for_people(chosen.design.name, a);

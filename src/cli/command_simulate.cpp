@@ -86,7 +86,7 @@ int report(const Evaluation& e, const Arguments& arguments) {
     return exit_code::interrupted;
   }
   if (arguments.has("--json")) {
-    std::cout << e.result.dump(2) << "\n";
+    std::cout << json_text(e.result, 2) << "\n";
   } else {
     std::cout << for_people(e, arguments.value("--out"));
   }

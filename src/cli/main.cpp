@@ -1,8 +1,10 @@
 // The program `icebow`: parse, dispatch, catch.
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "solver/kernel/kernel.h"
 #include "study/evaluate/provenance.h"
@@ -70,13 +72,13 @@ int guarded(const Communicator& comm, const std::vector<std::string>& words) {
     if (!std::cout) throw RuntimeError("cannot write to standard output");
     return code;
   } catch (const InputError& error) {
-    if (comm.is_root()) std::cerr << error.what() << std::endl;
+    if (comm.is_root()) std::cerr << printable(error.what()) << std::endl;
     return exit_code::bad_input;
   } catch (const RuntimeError& error) {
-    if (comm.is_root()) std::cerr << error.what() << std::endl;
+    if (comm.is_root()) std::cerr << printable(error.what()) << std::endl;
     return exit_code::failure;
   } catch (const std::exception& error) {
-    std::cerr << "icebow: rank " << comm.rank() << ": " << error.what() << std::endl;
+    std::cerr << "icebow: rank " << comm.rank() << ": " << printable(error.what()) << std::endl;
     if (comm.size() > 1) std::_Exit(exit_code::failure);
     return exit_code::failure;
   }
@@ -86,6 +88,7 @@ int guarded(const Communicator& comm, const std::vector<std::string>& words) {
 }  // namespace icebow
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond a limit on file sizes a write then fails, which is told in words
   const icebow::MpiSession mpi(argc, argv);
   const icebow::Communicator world = mpi.world();
   return icebow::guarded(world, std::vector<std::string>(argv + 1, argv + argc));

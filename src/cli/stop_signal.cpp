@@ -5,8 +5,10 @@
 namespace icebow {
 namespace {
 
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
+
 volatile std::sig_atomic_t stop_raised = 0;
-struct sigaction before_int, before_term;
+struct sigaction before[3], pipe_before;
 
 void raise_stop(int) {
   stop_raised = 1;
@@ -19,13 +21,17 @@ StopSignal::StopSignal() {
   action.sa_handler = raise_stop;
   action.sa_flags = SA_RESETHAND;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &before_int);
-  sigaction(SIGTERM, &action, &before_term);
+  for (int k = 0; k < 3; ++k) {
+    sigaction(signals[k], &action, &before[k]);
+    if (before[k].sa_handler == SIG_IGN) sigaction(signals[k], &before[k], nullptr);  // nohup
+  }
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, &pipe_before);
 }
 
 StopSignal::~StopSignal() {
-  sigaction(SIGINT, &before_int, nullptr);
-  sigaction(SIGTERM, &before_term, nullptr);
+  for (int k = 0; k < 3; ++k) sigaction(signals[k], &before[k], nullptr);
+  sigaction(SIGPIPE, &pipe_before, nullptr);
 }
 
 bool StopSignal::raised() {

@@ -1,10 +1,11 @@
-// SIGINT and SIGTERM as a flag, so that a run ends in good order.
+// SIGINT, SIGTERM and SIGHUP as a flag, so that a run ends in good order.
 #pragma once
 
 namespace icebow {
 
-// While it lives, the first SIGINT or SIGTERM sets the flag; a second one of the same kind ends the program
-// at once.
+// While it lives, the first of these signals sets the flag; a second one of the same kind ends the program at
+// once. A signal that the caller ignores (nohup) stays ignored. Progress that nobody reads any more (a closed
+// pipe) ends nothing.
 class StopSignal {
  public:
   StopSignal();

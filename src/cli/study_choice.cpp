@@ -44,7 +44,7 @@ StudySpec load_study(const Communicator& comm, const Arguments& arguments) {
   std::string text, mistake;
   if (comm.is_root()) {
     try {
-      text = load_study(arguments).document.dump();
+      text = json_text(load_study(arguments).document);
     } catch (const InputError& error) {
       mistake = error.what();
     }

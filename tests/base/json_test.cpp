@@ -1,12 +1,15 @@
 #include "base/json.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
 #include "base/errors.h"
+#include "base/printable.h"
 
 using namespace icebow;
 
@@ -95,4 +98,74 @@ TEST_CASE("what cannot be read is an input error that names the file") {
   CHECK_THROWS_AS(read_text_file(dir.path.string()), InputError);
   std::ofstream(dir.file("empty")).flush();
   CHECK(read_text_file(dir.file("empty")).empty());
+}
+
+TEST_CASE("objects and lists within each other are read to a depth that no stack minds") {
+  const auto nested = [](std::size_t levels, const std::string& open, const std::string& close) {
+    std::string text;
+    for (std::size_t k = 0; k < levels; ++k) text += open;
+    text += "1";
+    for (std::size_t k = 0; k < levels; ++k) text += close;
+    return text;
+  };
+  CHECK(mistakes_of(nested(most_levels, "[", "]")).empty());
+  CHECK(mistakes_of(nested(most_levels, "{\"a\":", "}")).empty());
+  for (const auto& text :
+       {nested(most_levels + 1, "[", "]"), nested(60000, "[", "]"), nested(40000, "{\"a\":", "}"),
+        nested(40000, "[{\"a\":", "}]"), std::string(1000000, '[')}) {
+    const auto mistakes = mistakes_of(text);
+    REQUIRE(mistakes.size() == 1);
+    CHECK_THAT(mistakes[0].message, Catch::Contains("64 deep"));
+    CHECK_THAT(mistakes[0].pointer, Catch::StartsWith("line 1, column "));
+  }
+}
+
+TEST_CASE("a file full of mistakes is told in fifty of them, each short and printable") {
+  std::string text = "{";
+  for (int k = 0; k < 20000; ++k) text += "\"" + std::string(k % 2 ? 2000 : 1, 'k') + "\": 1, ";
+  text += "\"\\u001b[2J\": 1, \"\\u001b[2J\": 2}";
+  try {
+    parse_json(text, "many.json");
+    FAIL("no error");
+  } catch (const InputError& error) {
+    const std::string words = error.what();
+    CHECK(words.size() < 15000);
+    CHECK_THAT(words, Catch::Contains("and 50 more"));
+    CHECK(error.mistakes().size() == 100);
+  }
+  CHECK(printable("a\x1b[2J\u009b\u202e\n\tb\x7f") == "a?[2J??\n\tb?");
+  CHECK(printable("\u00e9\u2028 \xff") == "\u00e9\u2028 \xff");
+  CHECK(shortened("\u00e9\u00e9", 3) == "\u00e9...");
+}
+
+TEST_CASE("a link in the place of a temporary file is not followed") {
+  const Directory dir;
+  write_text_file(dir.file("victim"), "untouched");
+  std::filesystem::create_symlink(dir.file("victim"), dir.file("a.json.tmp" + std::to_string(::getpid())));
+  write_text_file(dir.file("a.json"), "new");
+  CHECK(read_text_file(dir.file("victim")) == "untouched");
+  CHECK(read_text_file(dir.file("a.json")) == "new");
+}
+
+TEST_CASE("a file without end is refused") {
+  CHECK_THROWS_WITH(read_text_file("/dev/zero", 1 << 20), Catch::Contains("more than 1048576 bytes"));
+}
+
+// The disk that is always full is the system's own; the limit on file sizes stands for a quota.
+TEST_CASE("a file that cannot be written whole leaves what was there") {
+  const Directory dir;
+  write_text_file(dir.file("a"), "old");
+  const std::string big(1 << 16, 'x');
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const rlim_t most : {rlim_t{1}, rlim_t{4096}, rlim_t{(1 << 16) - 1}}) {
+    const rlimit limit{most, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    CHECK_THROWS_WITH(write_text_file(dir.file("a"), big), Catch::Contains("File too large"));
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_DFL);
+  CHECK(read_text_file(dir.file("a")) == "old");
+  CHECK(std::distance(std::filesystem::directory_iterator(dir.path), {}) == 1);
 }

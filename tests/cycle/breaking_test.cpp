@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "panels.h"
+#include "tests/cycle/panels.h"
 
 using namespace icebow::cycle;
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/units.h"
-#include "panels.h"
+#include "tests/cycle/panels.h"
 
 using namespace icebow;
 using namespace icebow::cycle;

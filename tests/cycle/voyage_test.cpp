@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 #include "hullgen/bow/make_hull.h"
-#include "panels.h"
+#include "tests/cycle/panels.h"
 
 using namespace icebow;
 using namespace icebow::cycle;

@@ -106,6 +106,8 @@ TEST_CASE("pictures and lines plans are inside the page") {
   const std::string html = sample_html();
   CHECK(count(html, "src=\"data:image/png;base64,iVBOR") == 30);
   CHECK(count(html, "<svg xmlns=") == 10);
+  CHECK(count(html, "Content-Security-Policy") == 1);
+  CHECK(count(html, "default-src 'none'; script-src 'sha256-") == 1);
   CHECK(holds(html, "62.5\u00a0m <small>(model 2.50\u00a0m)</small>"));
 }
 

@@ -2,9 +2,13 @@
 #include <catch2/catch.hpp>
 
 #include "base/json.h"
+#include "hullgen/bow/bow.h"
+#include "hullgen/bow/family.h"
+#include "hullgen/bow/make_hull.h"
+#include "hullgen/drawing/lines_plan.h"
 #include "reports/content/history_file.h"
 #include "reports/content/hull_outline.h"
-#include "reports/text/inline_svg.h"
+#include "reports/content/inline_svg.h"
 #include "tests/support/sample_files.h"
 #include "tests/support/scratch.h"
 
@@ -36,16 +40,68 @@ TEST_CASE("a thinned record keeps its peaks and its order") {
 
 TEST_CASE("two drawings with the same ids share a page") {
   const std::string text =
-      "<?xml version=\"1.0\"?><svg><clipPath id=\"a\"/><g clip-path=\"url(#a)\" id='ab'/><use "
-      "href=\"#ab\"/></svg>\n";
+      "<?xml version=\"1.0\"?><svg><clipPath id=\"a\"/><g clip-path=\"url(#a)\" id='ab'/><title id=\"t\">1 "
+      "&lt; 2</title>"
+      "</svg>\n";
   CHECK(inline_svg(text, "d1-") ==
-        "<svg><clipPath id=\"d1-a\"/><g clip-path=\"url(#d1-a)\" id='d1-ab'/><use href=\"#d1-ab\"/></svg>");
+        "<svg><clipPath id=\"d1-a\"/><g clip-path=\"url(#d1-a)\" id=\"d1-ab\"/><title id=\"d1-t\">1 &lt; "
+        "2</title></svg>");
 }
 
-TEST_CASE("a drawing that would run something is left out") {
-  CHECK(inline_svg("<svg><script>1</script></svg>", "d").empty());
+TEST_CASE("a drawing that would run or load something is left out") {
+  for (const char* inside : {"<script>1</script>", "<a href=\"javascript:x()\"><text>t</text></a>",
+                             "<foreignObject><p/></foreignObject>", "<g onclick=\"x()\"/>",
+                             "<g OnClick = 'x()'/>", "<image href=\"http://x/y.png\"/>", "<use href=\"#a\"/>",
+                             "<animate attributeName=\"href\" values=\"javascript:x()\"/>", "<set/>",
+                             "<svg:script/>", "<iframe/>", "<title><img/></title>", "<SCRIPT/>"})
+    CHECK(inline_svg(std::string("<svg>") + inside + "</svg>", "d") == "");
   CHECK(inline_svg("<svg onload=\"x()\"></svg>", "d").empty());
+  CHECK(inline_svg("<html><svg/></html>", "d").empty());
   CHECK(inline_svg("no drawing", "d").empty());
+  CHECK(inline_svg("<svg><g>", "d").empty());
+  std::string deep;
+  for (int k = 0; k < 100000; ++k) deep += "<g>";
+  CHECK(inline_svg("<svg>" + deep + "</svg>", "d").empty());
+}
+
+TEST_CASE("what is not on the list of a drawing's attributes is dropped, and entities stay what they are") {
+  const auto of = [](const std::string& attribute) {
+    return inline_svg("<svg><path " + attribute + "/></svg>", "d-");
+  };
+  for (const char* attribute :
+       {"style=\"background:url(http://x)\"", "fill=\"url(http://x)\"", "stroke=\"url(#a)\"", "href=\"#a\"",
+        "xlink:href=\"http://x\"", "clip-path=\"url(http://x)\"", "clip-path=\"url(#a) url(http://x)\"",
+        "class=\"page lightbox\"", "xmlns=\"http://x\"", "id=\"a&quot; onload=&quot;x()\"",
+        "d=\"&lt;script&gt;\"", "filter=\"url(#a)\"", "data-x=\"1\""})
+    CHECK(of(attribute) == "<svg><path/></svg>");
+  CHECK(of("class=\"dwl page\" d=\"M0 0L1 1\"") == "<svg><path class=\"dwl\" d=\"M0 0L1 1\"/></svg>");
+  CHECK(inline_svg("<!DOCTYPE svg [<!ENTITY a \"<script/>\">]><svg><text>&a;</text></svg>", "d") ==
+        "<svg><text>&amp;a;</text></svg>");
+  CHECK(inline_svg("<svg><text><![CDATA[</text><script>1</script>]]></text></svg>", "d") ==
+        "<svg><text>&lt;/text&gt;&lt;script&gt;1&lt;/script&gt;</text></svg>");
+}
+
+TEST_CASE("an attribute of any length is read in one go") {
+  const std::string path(300000, '1');
+  CHECK(inline_svg("<svg><path d=\"" + path + "\" id=\"" + path + "\"/></svg>", "d") ==
+        "<svg><path d=\"" + path + "\"/></svg>");
+}
+
+TEST_CASE("a lines plan of ours stays whole, with the program's own style") {
+  BowParameters bow = preset_bow(BowFamily::flat);
+  bow.panel = bow.B / 10.0;
+  const std::string file = lines_plan_svg(make_hull(bow), bow, "A < B");
+  const std::string drawn = inline_svg(file, "d1-");
+  const auto count = [](const std::string& text, const std::string& what) {
+    int n = 0;
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  for (const char* element : {"<path", "<text", "<circle", "class=\"", "<style>", "viewBox", "d=\""})
+    CHECK(count(drawn, element) == count(file, element));
+  std::string hostile = file;
+  hostile.replace(hostile.find("<style>"), 7, "<style>body{display:none}");
+  CHECK(inline_svg(hostile, "d1-") == drawn);
 }
 
 TEST_CASE("the waterline of a bow is cut from its mesh") {

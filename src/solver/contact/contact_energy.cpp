@@ -65,6 +65,7 @@ void ContactLedger::restore(const ContactCounts& counts, const std::vector<doubl
   counts_ = counts;
   before_.clear();
   for (std::size_t n = 0; n + 5 <= record.size(); n += 5) {
+    if (!(record[n] >= 0.0 && record[n] < double(lattice.nx) * lattice.ny * lattice.nz)) continue;
     const std::int64_t id = static_cast<std::int64_t>(record[n]), row = id / lattice.nx;
     const int il = static_cast<int>(id % lattice.nx) - layout.i0;
     const int jl = static_cast<int>(row / lattice.nz) - layout.j0, k = static_cast<int>(row % lattice.nz);

@@ -291,9 +291,9 @@ bool IceSheet::is_linear(int jl, int b) const {
   return std::visit([&](const auto& work) { return work.linear.linear(jl)[b] != 0; }, work_);
 }
 
-double IceSheet::linear_share() const {
-  const auto count = [](const auto& work) { return double(work.linear.count()); };
-  return std::visit(count, work_) / (double(layout.columns) * layout.blocks);
+LinearCount IceSheet::linear_blocks() const {
+  const auto count = [](const auto& work) { return static_cast<std::int64_t>(work.linear.count()); };
+  return {std::visit(count, work_), std::int64_t{layout.columns} * layout.blocks};
 }
 
 }  // namespace icebow

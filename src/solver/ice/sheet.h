@@ -44,6 +44,11 @@ class BondBits {
   std::vector<std::uint16_t> words_;
 };
 
+// Blocks of ice that follow the linear law, of all.
+struct LinearCount {
+  std::int64_t linear = 0, all = 0;
+};
+
 class IceSheet {
  public:
   // Another vector width than the widest is for tests.
@@ -101,8 +106,12 @@ class IceSheet {
   // The window has left so many particles astern.
   void start_at(int first);
 
-  // Part of the own blocks that took the linear passes in the last step.
-  double linear_share() const;
+  // Of the own blocks, those that took the linear passes in the last step.
+  LinearCount linear_blocks() const;
+  double linear_share() const {
+    const LinearCount n = linear_blocks();
+    return double(n.linear) / double(n.all);
+  }
   bool is_linear(int jl, int b) const;  // likewise
 
   // Found by the drift: blocks with a particle in the box its settings name.

@@ -23,7 +23,7 @@ struct Progress {
 enum class Resume {
   never,      // start anew; it stays until the next one takes its place
   always,     // go on from it; one that is not of this run, or not whole, is an error
-  if_usable,  // go on from it, or start anew where that is impossible
+  if_usable,  // go on from it, or start anew where that is impossible; one that is damaged is set aside
 };
 
 struct RunOptions {
@@ -37,11 +37,14 @@ struct RunOptions {
   int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
   std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
-  // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended.
+  // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended, or
+  // left to the caller, whose results may still have to be written.
   std::string checkpoint_file;
+  bool keep_checkpoint = false;
   double checkpoint_every_s = 300.0;  // wall time between two; 0 = only when the run is interrupted
   Resume resume = Resume::always;
-  std::function<void(std::int64_t step)> on_resume;  // called on the root where the run goes on from one
+  std::function<void(std::int64_t step)> on_resume;       // called on the root where the run goes on from one
+  std::function<void(const std::string& words)> on_note;  // on the root: a checkpoint was set aside, and why
 };
 
 }  // namespace icebow

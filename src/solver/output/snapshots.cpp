@@ -43,6 +43,10 @@ void Snapshots::restore(const Json& record) {
   record.at("hull_steps").get_to(hull_steps_);
   record.at("pictures").get_to(pictures_);
   record.at("picture_advance").get_to(picture_advance_);
+  if (picture_advance_.size() != pictures_.size()) throw RuntimeError("its list of pictures is not whole");
+  for (const std::string& name : pictures_)
+    if (name.find('/') != std::string::npos)
+      throw RuntimeError("its list of pictures names another directory");
 }
 
 bool Snapshots::write_due(const Stepper& stepper, double advance) {

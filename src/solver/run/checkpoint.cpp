@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "base/parallel_file.h"
+#include "base/printable.h"
 #include "solver/model/describe_history.h"
 #include "solver/run/case_text.h"
 #include "solver/run/sheet_file.h"
@@ -64,11 +65,12 @@ Json run_json(const Communicator& comm, const RunState& run) {
   const ContactCounts contact = stepper.ledger().counts();
   const EnergyCounts& dropped = stepper.dropped();
   const SurroundingsCounts& given = stepper.given_away();
-  std::int64_t totals[10] = {
+  std::int64_t totals[12] = {
       stepper.broken_bonds(), contact.hull_work, contact.gain, dropped.kinetic, dropped.potential,
-      dropped.elastic,        dropped.fracture,  given.water,  given.floes,     given.edges};
+      dropped.elastic,        dropped.fracture,  given.water,  given.floes,     given.edges,
+      run.linear.linear,      run.linear.all};
   comm.sum(impulse.data(), static_cast<int>(impulse.size()));
-  comm.sum(totals, 10);
+  comm.sum(totals, 12);
   return {{"format", format_version},
           {"precision_bytes", precision_of(stepper.sheet())},
           {"steps", stepper.steps()},
@@ -77,6 +79,7 @@ Json run_json(const Communicator& comm, const RunState& run) {
           {"window_first", stepper.sheet().lattice.first},
           {"window_dropped", {totals[3], totals[4], totals[5], totals[6]}},
           {"given_away", {totals[7], totals[8], totals[9]}},
+          {"linear_blocks", {totals[10], totals[11]}},
           {"energy_watch", run.recorder.energy_watch().record()},
           {"impulse", impulse},
           {"wall_seconds", run.wall_seconds},
@@ -126,7 +129,7 @@ void save_checkpoint(const Communicator& comm, const std::string& path, const st
   if (comm.is_root()) std::remove(temporary.c_str());
   comm.barrier();
   try {
-    ParallelFile file = ParallelFile::create(comm, temporary);
+    ParallelFile file = ParallelFile::create(comm, temporary, Checksums::yes);
     write_all(file, comm, case_text, run);
   } catch (const RuntimeError&) {
     if (comm.is_root()) std::remove(temporary.c_str());
@@ -137,45 +140,81 @@ void save_checkpoint(const Communicator& comm, const std::string& path, const st
 }
 
 std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
-                              int precision) {
+                              int precision, bool* damaged) {
+  if (damaged) *damaged = false;
   try {
     ParallelFile file = ParallelFile::open(comm, path);
-    const Json run = Json::parse(file.read_text("run"));
+    const Json run = parse_json(file.read_text("run"), "run");
     if (run.at("format") != format_version) return "is of another version of the program";
     const std::string difference = case_difference(file.read_text("case"), case_text);
     if (!difference.empty()) return "is of another run: " + difference;
     if (run.at("precision_bytes") != precision) return "was computed in another floating-point precision";
   } catch (const std::exception& error) {  // the same on every rank: all have read the same
+    if (damaged) *damaged = true;
     return std::string("is not a whole checkpoint (") + error.what() + ")";
   }
   return "";
 }
 
+namespace {
+
+// What every rank reads.
+struct Lists {
+  Json run;
+  std::vector<HistoryRow> rows;
+  std::vector<double> touches, cracked_columns, dropped_ice;
+};
+
+Lists read_lists(ParallelFile& file) {
+  return {parse_json(file.read_text("run"), "run"), load_history(file), file.read_list<double>("touches"),
+          file.read_list<double>("cracked_columns"), file.read_list<double>("dropped_ice")};
+}
+
+void restore(const Communicator& comm, const Lists& lists, RunState& run) {
+  const Json &json = lists.run, &dropped = json.at("window_dropped"), &given = json.at("given_away"),
+             &contact = json.at("contact_energy"), &linear = json.at("linear_blocks");
+  const bool root = comm.is_root();
+  if (json.at("steps") < 0 || json.at("window_first") < 0 ||
+      json.at("window_first").get<std::int64_t>() % block != 0)
+    throw RuntimeError("its counts are none of a run");
+  run.stepper.sheet().start_at(json.at("window_first"));
+  run.stepper.restore(
+      json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
+      root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
+      root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{},
+      root ? SurroundingsCounts{given.at(0), given.at(1), given.at(2)} : SurroundingsCounts{});
+  run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
+                               lists.touches, run.stepper.sheet());
+  run.recorder.restore(lists.rows, json.at("energy_watch"));
+  run.process.restore(lists.cracked_columns, lists.dropped_ice);
+  run.snapshots.restore(json.at("files"));
+  run.linear = root ? LinearCount{linear.at(0), linear.at(1)} : LinearCount{};
+  run.wall_seconds = json.at("wall_seconds");
+}
+
+}  // namespace
+
 void load_checkpoint(const Communicator& comm, const std::string& path, RunState& run) {
-  ParallelFile file = ParallelFile::open(comm, path);
+  std::string trouble;
   try {
-    const Json json = Json::parse(file.read_text("run"));
-    const std::vector<HistoryRow> rows = load_history(file);
+    ParallelFile file = ParallelFile::open(comm, path);
+    const Lists lists = read_lists(file);  // the same on every rank, so all throw or none
     load_sheet(file, run.stepper.sheet());
-    run.stepper.sheet().start_at(json.at("window_first"));
-    const Json &dropped = json.at("window_dropped"), &given = json.at("given_away");
-    const bool root = comm.is_root();
-    run.stepper.restore(
-        json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
-        root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
-        root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{},
-        root ? SurroundingsCounts{given.at(0), given.at(1), given.at(2)} : SurroundingsCounts{});
-    const Json& contact = json.at("contact_energy");
-    run.stepper.ledger().restore(root ? ContactCounts{contact.at(0), contact.at(1)} : ContactCounts{},
-                                 file.read_list<double>("touches"), run.stepper.sheet());
-    run.recorder.restore(rows, json.at("energy_watch"));
-    run.process.restore(file.read_list<double>("cracked_columns"), file.read_list<double>("dropped_ice"));
-    run.snapshots.restore(json.at("files"));
-    run.wall_seconds = json.at("wall_seconds");
+    try {
+      restore(comm, lists, run);
+    } catch (const std::exception& error) {
+      trouble = error.what();
+    }
+    fail_together(comm, trouble);
   } catch (const std::exception& error) {
-    throw RuntimeError(path + " cannot be continued: " + error.what() +
-                       "; remove it, or start the run anew with --restart");
+    throw DamagedCheckpoint(path + " cannot be continued: " + error.what() +
+                            "; remove it, or start the run anew with --restart");
   }
+}
+
+void remove_checkpoint(const std::string& path) {
+  std::error_code ignored;
+  for (const char* ending : {"", ".tmp"}) std::filesystem::remove(path + ending, ignored);
 }
 
 Checkpoints::Checkpoints(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
@@ -190,16 +229,37 @@ bool Checkpoints::there() const {
 void Checkpoints::resume(RunState& run) {
   const std::string& path = options_.checkpoint_file;
   if (path.empty() || options_.resume == Resume::never || !there()) return;
-  const std::string reason = why_not_resumable(comm_, path, case_, precision_of(run.stepper.sheet()));
+  bool damaged = false;
+  const std::string reason =
+      why_not_resumable(comm_, path, case_, precision_of(run.stepper.sheet()), &damaged);
   if (!reason.empty()) {
-    if (options_.resume == Resume::if_usable) return;
+    if (options_.resume == Resume::if_usable) return damaged ? set_aside(reason) : void();
     throw RuntimeError(path + " " + reason +
                        "; to start this run anew remove that file or give --restart, to keep it take "
                        "another directory");
   }
-  load_checkpoint(comm_, path, run);
+  try {
+    load_checkpoint(comm_, path, run);
+  } catch (const DamagedCheckpoint& error) {
+    if (options_.resume == Resume::if_usable) set_aside(error.what());
+    throw;
+  }
   last_ = Clock::now();
   if (comm_.is_root() && options_.on_resume) options_.on_resume(run.stepper.steps());
+}
+
+// Collective. It may still tell somebody what befell the disk.
+void Checkpoints::set_aside(const std::string& reason) const {
+  const std::string &path = options_.checkpoint_file, aside = path + ".damaged";
+  std::string trouble;
+  if (comm_.is_root()) {
+    if (std::rename(path.c_str(), aside.c_str()) != 0)
+      trouble = "cannot rename " + path + ", which is damaged: " + std::strerror(errno);
+    else if (options_.on_note)
+      options_.on_note("its checkpoint was damaged, so it started anew; the file is kept as " + aside + " (" +
+                       shortened(reason, 160) + ")");
+  }
+  fail_together(comm_, trouble);
 }
 
 void Checkpoints::write_due(const RunState& run, bool stopping) {
@@ -213,10 +273,7 @@ void Checkpoints::write_due(const RunState& run, bool stopping) {
 }
 
 void Checkpoints::remove() {
-  if (options_.checkpoint_file.empty() || !comm_.is_root()) return;
-  std::error_code ignored;  // one that stays is refused or continued at its end: no harm
-  std::filesystem::remove(options_.checkpoint_file, ignored);
-  std::filesystem::remove(options_.checkpoint_file + ".tmp", ignored);  // of one that was killed
+  if (!options_.checkpoint_file.empty() && comm_.is_root()) remove_checkpoint(options_.checkpoint_file);
 }
 
 }  // namespace icebow

@@ -1,16 +1,17 @@
 // A run's state on disk, from which it goes on bit for bit, on any number of ranks.
 //
-// One HDF5 file: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample),
-// `cracked_columns` and `dropped_ice` (process_watch.h), `run` (JSON:
-// step, counts, files written so far) and `case` (see case_text.h), by which a checkpoint of another run is
-// recognised. It is written under a second name and then renamed: a run that is killed while it writes leaves
-// the checkpoint before.
+// One HDF5 file with checksums throughout (see Checksums), so that what a disk has damaged is not gone on
+// from: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample), `cracked_columns` and
+// `dropped_ice` (process_watch.h), `run` (JSON: step, counts, files written so far) and `case` (see
+// case_text.h), by which a checkpoint of another run is recognised. It is written under a second name and
+// then renamed: a run that is killed while it writes leaves the checkpoint before.
 #pragma once
 
 #include <chrono>
 #include <string>
 
 #include "base/communicator.h"
+#include "base/errors.h"
 #include "solver/model/run_options.h"
 #include "solver/output/snapshots.h"
 #include "solver/step/stepper.h"
@@ -25,6 +26,7 @@ struct RunState {
   Recorder& recorder;
   Snapshots& snapshots;
   ProcessWatch& process;
+  LinearCount linear{};       // sum over the samples so far, this rank's
   double wall_seconds = 0.0;  // so far, of all its parts
 };
 
@@ -32,12 +34,22 @@ struct RunState {
 void save_checkpoint(const Communicator& comm, const std::string& path, const std::string& case_text,
                      const RunState& run);
 
-// Collective. Empty where the file is a checkpoint of this case, else in words why it is not; throws nothing.
-std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
-                              int precision);
+// A checkpoint that is not as it was written.
+class DamagedCheckpoint : public RuntimeError {
+ public:
+  using RuntimeError::RuntimeError;
+};
 
-// Collective, into a run that has not begun. Throws RuntimeError.
+// Collective. Empty where the file is a checkpoint of this case, else in words why it is not; throws nothing.
+// `damaged` tells one that is no whole checkpoint from one of another run.
+std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
+                              int precision, bool* damaged = nullptr);
+
+// Collective, into a run that has not begun, which is of no use any more where this throws DamagedCheckpoint.
 void load_checkpoint(const Communicator& comm, const std::string& path, RunState& run);
+
+// With what a write that was killed has left beside it; one that stays is refused or continued at its end.
+void remove_checkpoint(const std::string& path);
 
 // When to do either, as the options of a run say.
 class Checkpoints {
@@ -46,7 +58,8 @@ class Checkpoints {
               const RunOptions& options);
 
   // Collective: goes on from the checkpoint there is, if there is one and that is wanted. Throws RuntimeError
-  // where it is refused.
+  // where it is refused. A damaged one is set aside where a run may start anew (Resume::if_usable); where
+  // parts of it have been read by then DamagedCheckpoint is thrown, and the run has to be made anew.
   void resume(RunState& run);
   // Collective, after a sample: writes where one is due by the root's clock, or where the run stops now.
   void write_due(const RunState& run, bool stopping);
@@ -55,6 +68,7 @@ class Checkpoints {
  private:
   using Clock = std::chrono::steady_clock;
   bool there() const;
+  void set_aside(const std::string& reason) const;
 
   const Communicator& comm_;
   const RunOptions& options_;

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "base/errors.h"
+#include "geometry/hull_distance.h"
 #include "solver/contact/contact.h"
 #include "solver/ice/sheet_state.h"
 #include "solver/ice/stir.h"
@@ -135,6 +137,39 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
   return metrics;
 }
 
+bool touches(const HistoryRow& row) {
+  return row.contacts > 0 || row.F[0] != 0.0 || row.F[1] != 0.0 || row.F[2] != 0.0;
+}
+
+// Empty where the ice did touch the hull in the part of the record that counts.
+std::string why_no_load(const History& history, double steady_from) {
+  const auto& rows = history.rows;
+  if (rows.empty()) return "";  // shorter than a sample: its load is no number
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), touches);
+  if (last == rows.rend())
+    return text("the hull never touched the ice in an advance of %.4g m",
+                rows.empty() ? 0.0 : rows.back().advance);
+  if (last->advance > steady_from || rows.back().advance <= steady_from) return "";
+  return text("the hull touched no ice from an advance of %.4g m on, last at %.4g m", steady_from,
+              last->advance);
+}
+
+// Collective [m]: of the nearest particle as it lies now; 0 where one touches.
+double distance_to_ice(const Communicator& comm, const QuadMesh& hull, const IceSheet& sheet, double hull_x) {
+  const HullDistance distance(hull, bounding_box(hull));
+  const Layout& l = sheet.layout;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int jl = 0; jl < l.columns; ++jl)
+    for (int k = 0; k < l.nz; ++k)
+      for (int il = 0; il < l.blocks * block && l.i0 + il < sheet.lattice.nx; ++il) {
+        const std::size_t p = l.row(jl, k) + static_cast<std::size_t>(il);
+        const Vec3 at(sheet.lattice.x(l.i0 + il) + sheet.u[0][p] - hull_x,
+                      sheet.lattice.y(l.j0 + jl) + sheet.u[1][p], sheet.lattice.z(k) + sheet.u[2][p]);
+        nearest = std::min(nearest, distance.closest(at).signed_distance);
+      }
+  return std::max(0.0, -comm.max(-nearest));
+}
+
 double latest_balance(const History& history) {
   for (auto row = history.rows.rbegin(); row != history.rows.rend(); ++row) {
     if (!std::isnan(row->balance_error)) return row->balance_error;
@@ -177,8 +212,9 @@ class Loop {
       }
       process.sample(stepper);
       stepper.timer().lap(Phase::sampling);
-      linear_sum_ += stepper.sheet().linear_share();
-      ++samples_;
+      const LinearCount linear = stepper.sheet().linear_blocks();
+      state.linear.linear += linear.linear;
+      state.linear.all += linear.all;
       const auto sampled = Clock::now();
       snapshots.write_due(stepper, s_.V * stepper.time());
       stepper.timer().lap(Phase::output);
@@ -201,15 +237,16 @@ class Loop {
     result_.wall_seconds = seconds_since(start_);
     result_.profile = profile_of(comm_, stepper.timer());
     result_.profiled_steps = stepper.steps() - first_step;
-    result_.linear_share = mean_linear_share();
+    result_.linear_share = mean_linear_share(state.linear);
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
       snapshots.write_due(stepper, s_.advance);
-    if (result_.status != RunStatus::interrupted) checkpoints.remove();
+    if (result_.status != RunStatus::interrupted && !options_.keep_checkpoint) checkpoints.remove();
     result_.steps = stepper.steps();
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();
     result_.picture_advance = snapshots.picture_advance();
+    if (result_.status == RunStatus::ok) check_touch(stepper);
     if (result_.status != RunStatus::ok) return;
     const SheetState sheet = gather_state(comm_, stepper.sheet());
     result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
@@ -221,12 +258,23 @@ class Loop {
     return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
   }
 
-  // Collective. Of the samples since the run was started or continued; ranks own nearly equal parts.
-  double mean_linear_share() const {
-    double sums[2] = {linear_sum_, double(samples_)};
+  // Collective. Whole numbers, so that neither ranks nor interruptions change it.
+  double mean_linear_share(const LinearCount& linear) const {
+    std::int64_t sums[2] = {linear.linear, linear.all};
     comm_.sum(sums, 2);
-    comm_.broadcast(sums, sizeof sums);
-    return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
+    return sums[1] > 0 ? double(sums[0]) / double(sums[1]) : 0.0;
+  }
+
+  // Collective. A load of nothing is no result: the ship was not in the ice.
+  void check_touch(const Stepper& stepper) {
+    const std::string reason = why_no_load(result_.history, s_.steady_from);
+    if (reason.empty()) return;
+    result_.status = RunStatus::failed;
+    const double missing = distance_to_ice(comm_, hull_, stepper.sheet(), stepper.hull_x());
+    result_.reason =
+        reason + text("; at the end the hull was %.4g m from the nearest ice", missing) +
+        ": lengthen the advance (/operation/advance_m) or the record (/operation/steady_from_m), or see "
+        "whether the hull reaches the water's surface (lengths at the scale of the simulation)";
   }
 
   // Collective: the root decides, so that ranks on unlike machines agree.
@@ -257,8 +305,6 @@ class Loop {
   const RunOptions& options_;
   RunResult& result_;
   Clock::time_point start_, last_report_;
-  double linear_sum_ = 0.0;
-  std::int64_t samples_ = 0;
 };
 
 }  // namespace
@@ -280,7 +326,14 @@ RunResult simulate(const Communicator& comm, const QuadMesh& hull, const Scenari
   result.ny = size.ny;
   result.nz = size.nz;
   result.steps = size.steps;
-  Loop(comm, hull, s, options, result).run(make_lattice(s));
+  try {
+    RunResult attempt = result;
+    Loop(comm, hull, s, options, attempt).run(make_lattice(s));
+    return attempt;
+  } catch (const DamagedCheckpoint&) {  // of all ranks
+    if (options.resume != Resume::if_usable) throw;
+  }
+  Loop(comm, hull, s, options, result).run(make_lattice(s));  // it was set aside
   return result;
 }
 

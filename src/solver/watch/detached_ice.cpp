@@ -117,6 +117,8 @@ void DetachedIceCount::restore(const std::vector<double>& r) {
   total_.volume = r[0];
   total_.in_floes = r[1];
   total_.dust = r[2];
+  for (const double n : {r[3], r[4]})
+    if (!(n >= 0.0 && n <= double(r.size()))) throw RuntimeError("its count of broken ice is not whole");
   const auto floes = static_cast<std::size_t>(r[3]), stations = static_cast<std::size_t>(r[4]);
   if (r.size() < 5 + floes * floe_values + stations * station_values)
     throw RuntimeError("its count of broken ice is not whole");

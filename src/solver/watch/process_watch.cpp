@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/collective.h"
+#include "base/errors.h"
 #include "solver/model/load_cycle.h"
 #include "solver/model/plate_on_water.h"
 #include "solver/watch/cracks.h"
@@ -95,6 +97,10 @@ std::vector<double> ProcessWatch::crack_record() const {
 
 void ProcessWatch::restore(const std::vector<double>& r, const std::vector<double>& ice) {
   std::vector<CrackedColumn> columns;
+  const double most = std::numeric_limits<int>::max();  // of columns and rows of a lattice
+  for (std::size_t n = 0; n < r.size(); n += column_values)
+    if (n + column_values > r.size() || !(std::abs(r[n]) < most && std::abs(r[n + 1]) < most))
+      throw RuntimeError("its list of cracks is not whole");
   for (std::size_t n = 0; n + column_values <= r.size(); n += column_values) {
     columns.push_back({static_cast<std::int64_t>(r[n]), static_cast<std::int64_t>(r[n + 1]), r[n + 2],
                        r[n + 3], r[n + 4], r[n + 5]});

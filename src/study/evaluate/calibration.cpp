@@ -60,8 +60,10 @@ LatticeNumbers numbers_from(const Json& json) {
 template <class Numbers, class Read>
 bool recall(const std::string& file, const std::string& text, Numbers& numbers, const Read& read) {
   try {
-    const Json stored = read_json_file(file);
-    if (stored.at("lattice") != text) return false;
+    Json stored = read_json_file(file);
+    const Json digest = stored.at("digest");
+    stored.erase("digest");
+    if (digest != sha256(stored.dump()) || stored.at("lattice") != text) return false;
     numbers = read(stored);
     return true;
   } catch (const std::exception&) {
@@ -72,7 +74,9 @@ bool recall(const std::string& file, const std::string& text, Numbers& numbers, 
 void store(const fs::path& file, const Json& numbers) {
   try {
     fs::create_directories(file.parent_path());
-    write_text_file(file.string(), numbers.dump(2) + "\n");
+    Json json = numbers;
+    json["digest"] = sha256(json.dump());  // a flipped digit would be another ice
+    write_text_file(file.string(), json.dump(2) + "\n");
   } catch (const std::exception&) {
     // Found again next time.
   }

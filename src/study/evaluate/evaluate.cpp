@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "formula/lindqvist.h"
 #include "geometry/mesh_slice.h"
 #include "hullgen/drawing/lines_plan.h"
 #include "hullgen/mesh/mesh_io.h"
+#include "solver/run/checkpoint.h"
 #include "study/evaluate/calibration.h"
 #include "study/evaluate/cycle_run.h"
 #include "study/evaluate/evaluator_inputs.h"
@@ -60,7 +63,10 @@ class DesignRun {
     e_.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     describe();
     if (writes() && e_.status != EvaluationStatus::running) {
-      on_root(comm_, [&] { write_text_file(path("result.json"), json_text(e_.result, 2) + "\n"); });
+      on_root(comm_, [&] {
+        write_text_file(path("result.json"), json_text(e_.result, 2) + "\n");
+        if (!options_.keep_checkpoint) remove_checkpoint_in(options_.directory);
+      });
     }
     return e_;
   }
@@ -97,6 +103,7 @@ class DesignRun {
   Hull hull_;
   IceMaterial simulated_ice_;  // model scale
   Json ice_;                   // what it is: simulated_ice_json()
+  std::vector<std::string> notes_;
 };
 
 void DesignRun::evaluate() {
@@ -202,9 +209,14 @@ RunResult DesignRun::simulated() {
   run_options.on_progress = options_.on_progress;
   run_options.stop = options_.stop;
   if (writes()) run_options.checkpoint_file = path(checkpoint_name);
+  run_options.keep_checkpoint = true;
   run_options.checkpoint_every_s = options_.checkpoint_every_s;
   run_options.resume = options_.resume;
   run_options.on_resume = options_.on_resume;
+  run_options.on_note = [this](const std::string& words) {
+    notes_.push_back(words);
+    if (options_.on_note) options_.on_note(words);
+  };
   RunResult run;
   std::string error;
   bool machine = false;
@@ -287,12 +299,28 @@ void DesignRun::describe() {
                              {"date_utc", utc_now()},
                              {"ranks", comm_.size()},
                              {"wall_s", e_.wall_seconds}};
+  if (!notes_.empty()) e_.result["notes"] = notes_;
   for (const char* part : {"hull", "lindqvist", "cycle", "metrics", "process", "simulation", "profile"}) {
     if (!e_.result.contains(part)) e_.result[part] = nullptr;
   }
 }
 
 }  // namespace
+
+double usual_checkpoint_interval() {
+  const char* given = std::getenv("ICEBOW_CHECKPOINT_SECONDS");
+  if (!given) return 300.0;
+  char* end = nullptr;
+  const double seconds = std::strtod(given, &end);
+  if (end == given || *end != '\0' || !(seconds >= 0.0 && seconds <= 1e9))
+    throw InputError("ICEBOW_CHECKPOINT_SECONDS=" + shortened(given, 40) +
+                     " in the environment: must be a number, allowed 0 to 1e9 s; 0 = only when interrupted");
+  return seconds;
+}
+
+void remove_checkpoint_in(const std::string& design_directory) {
+  remove_checkpoint((std::filesystem::path(design_directory) / checkpoint_name).string());
+}
 
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options) {
   Evaluation e = DesignRun(comm, design, options).run();

@@ -9,8 +9,9 @@
 namespace icebow {
 namespace {
 
-constexpr std::array<EvaluationStatus, 4> statuses = {EvaluationStatus::ok, EvaluationStatus::infeasible,
-                                                      EvaluationStatus::failed, EvaluationStatus::running};
+constexpr std::array<EvaluationStatus, 5> statuses = {EvaluationStatus::ok, EvaluationStatus::infeasible,
+                                                      EvaluationStatus::failed, EvaluationStatus::running,
+                                                      EvaluationStatus::damaged};
 
 Json number_json(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -32,6 +33,8 @@ const char* to_string(EvaluationStatus status) {
       return "failed";
     case EvaluationStatus::running:
       return "running";
+    case EvaluationStatus::damaged:
+      return "damaged";
   }
   return "failed";
 }

@@ -13,18 +13,24 @@ namespace icebow {
 // A point of the study: a name, and the assignments that make it from the study file.
 struct Design {
   std::string name;  // "baseline", "Thyssen-Waas", "d007"
-  Json document;     // the whole study document after its overrides
+  Json document;     // the study document after its overrides, without "designs" and "method"
   std::map<std::string, double>
       parameters;  // values of the study's variables, by JSON pointer, in the file's units
 };
 
-enum class EvaluationStatus { ok, infeasible, failed, running };
+enum class EvaluationStatus {
+  ok,
+  infeasible,
+  failed,
+  running,
+  damaged  // its row of the store is not what was written; never written itself
+};
 
 struct Evaluation {
   std::string key;   // hash of everything the result depends on: the same key is never computed twice
   std::string name;  // of the design
   EvaluationStatus status = EvaluationStatus::failed;
-  std::string reason;  // infeasible, failed: in words
+  std::string reason;  // infeasible, failed, damaged: in words
   std::map<std::string, double> parameters;
   Json result;  // what `icebow simulate` writes as result.json: see docs/study_file.md, "Results"
   double wall_seconds = 0.0;

@@ -1,6 +1,6 @@
 #include "study/evaluate/progress_json.h"
 
-#include "base/json.h"
+#include "study/evaluate/evaluation.h"
 
 namespace icebow {
 
@@ -32,6 +32,17 @@ std::optional<Progress> progress_from_line(const std::string& line) {
   p.hull_work = number("hull_work_J");
   p.balance_error = number("balance_error_J");
   return p;
+}
+
+std::string trouble_line(const std::string& words) {
+  return json_text(Json{{"machine_trouble", words}});
+}
+
+std::optional<std::string> trouble_from_line(const std::string& line) {
+  const Json json = Json::parse(line, nullptr, /*allow_exceptions*/ false);
+  if (!json.is_object() || !json.contains("machine_trouble") || !json.at("machine_trouble").is_string())
+    return std::nullopt;
+  return json.at("machine_trouble").get<std::string>();
 }
 
 }  // namespace icebow

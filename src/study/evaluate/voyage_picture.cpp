@@ -12,7 +12,7 @@ namespace {
 constexpr double width = 1100.0, left = 70.0, right = 20.0, top = 40.0, plot_height = 190.0, between = 60.0;
 
 // Under the drawing's own class: in a report it shares the page with others.
-const char* style =
+constexpr const char* style =
     ".voyage{background:#fff}.voyage text{font:13px sans-serif;fill:#222}.voyage .title{font-size:15px}"
     ".voyage .ice{fill:#e8eef3;stroke:none}.voyage .water{fill:#9dbdd1;stroke:none}"
     ".voyage .piece{fill:#c4d8e5;stroke:#4a6d85;stroke-width:.8}"
@@ -132,6 +132,10 @@ class Picture {
 std::string voyage_svg(const cycle::VoyageResult& voyage, const std::vector<Vec3>& waterline,
                        double submersion, double way, const std::string& title) {
   return Picture(voyage, submersion, way, title).draw(waterline);
+}
+
+std::string voyage_style() {
+  return style;
 }
 
 }  // namespace icebow

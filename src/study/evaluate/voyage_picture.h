@@ -12,4 +12,7 @@ namespace icebow {
 std::string voyage_svg(const cycle::VoyageResult& voyage, const std::vector<Vec3>& waterline,
                        double submersion, double way, const std::string& title);
 
+// The text of its <style> element.
+std::string voyage_style();
+
 }  // namespace icebow

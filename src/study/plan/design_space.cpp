@@ -54,6 +54,14 @@ PlannedDesign swept(const StudySpec& spec, const std::string& name, Json documen
   return planned(spec, name, std::move(document));
 }
 
+// The study document without its other designs, of which it may have many.
+Json document_of_one(const StudySpec& spec) {
+  Json document = Json::object();
+  for (const auto& [key, value] : spec.document.items())
+    if (key != "designs" && key != "method") document[key] = value;
+  return document;
+}
+
 std::vector<std::vector<double>> grid(const Method& method) {
   std::vector<std::vector<double>> levels;
   for (const Variable& v : method.variables) {
@@ -107,9 +115,10 @@ class Plan {
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
   if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline);
-  if (spec.include_baseline) plan.add(swept(spec, "baseline", spec.document));
+  const Json own = document_of_one(spec);
+  if (spec.include_baseline) plan.add(swept(spec, "baseline", own));
   for (const NamedDesign& named : spec.designs) {
-    Json document = spec.document;
+    Json document = own;
     document.merge_patch(named.set);
     plan.add(swept(spec, named.name, std::move(document)));
   }
@@ -122,7 +131,7 @@ StudyPlan plan_study(const StudySpec& spec) {
 }
 
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x) {
-  Json document = spec.document;
+  Json document = document_of_one(spec);
   for (std::size_t i = 0; i < x.size(); ++i) {
     document[Json::json_pointer(spec.method.variables[i].pointer)] = rounded(x[i]);
   }

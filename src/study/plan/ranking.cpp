@@ -110,6 +110,7 @@ int group(const RankedDesign& row) {
     case EvaluationStatus::infeasible:
       return 1;
     case EvaluationStatus::failed:
+    case EvaluationStatus::damaged:
       return 2;
     case EvaluationStatus::running:
       return 3;
@@ -155,7 +156,8 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
     if (!std::isfinite(bias)) {
       known = false;
       const Json::json_pointer at("/metrics/resolution_bias/sentence");
-      if (sentence.empty() && result.contains(at)) sentence = result.at(at).get<std::string>();
+      const bool said = result.is_structured() && result.contains(at) && result.at(at).is_string();
+      if (sentence.empty() && said) sentence = result.at(at).get<std::string>();
     } else if (i > 0 && row.value - ranking.rows[0].value < (std::fabs(bias) + spread) * row.value) {
       biased.push_back(row.evaluation.name);
     }

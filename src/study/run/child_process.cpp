@@ -137,12 +137,21 @@ void ChildProcess::terminate(std::chrono::milliseconds grace) {
   kill(-pid_, SIGTERM);
 }
 
+int ChildProcess::exit_code() const {
+  return !running_ && WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
+}
+
+int ChildProcess::killed_by() const {
+  if (running_) return 0;
+  if (WIFSIGNALED(status_)) return WTERMSIG(status_);
+  const int code = exit_code();
+  return code > 128 && code <= 128 + SIGSYS ? code - 128
+                                            : 0;  // mpirun passes a rank's signal on like a shell
+}
+
 std::string ChildProcess::complaint() const {
   if (running_) return "";
-  int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
-  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
-  if (code > 128 && code <= 128 + SIGSYS)
-    signal = code - 128;  // mpirun passes a rank's signal on like a shell
+  const int signal = killed_by(), code = exit_code();
   if (signal != 0) return "killed by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
   return code != 0 ? "exit code " + std::to_string(code) : "";
 }

@@ -37,6 +37,8 @@ class ChildProcess {
   // "exit code 3", "killed by signal 11 (Segmentation fault)"; empty where the exit code is 0 or it still
   // runs.
   std::string complaint() const;
+  int killed_by() const;  // the signal, of a rank under mpirun too; 0 where there was none, or it still runs
+  int exit_code() const;  // 0 where it still runs
 
  private:
   using Clock = std::chrono::steady_clock;

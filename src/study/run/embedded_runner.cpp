@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/errors.h"
+#include "study/run/crash_mark.h"
 #include "study/run/runner.h"
 #include "study/store/design_files.h"
 
@@ -22,6 +23,7 @@ Evaluation evaluate_together(const Communicator& comm, const EvaluateFunction& e
                              const EvaluateOptions& options) {
   Evaluation result;
   std::string error;
+  const CrashMark mark(options.directory + "/" + crash_mark_name);
   try {
     result = evaluate(comm, design, options);
   } catch (const std::exception& e) {
@@ -61,7 +63,6 @@ class EmbeddedRunner : public Runner {
   bool busy() const override { return !queue_.empty(); }
   void start(const PlannedDesign& planned) override { queue_.push_back(planned.design); }
   void stop() override { queue_.clear(); }
-  bool shares_crashes() const override { return true; }
 
   std::vector<Evaluation> wait() override {
     if (queue_.empty()) return {};
@@ -79,6 +80,7 @@ class EmbeddedRunner : public Runner {
     bool timed_out = false;
     EvaluateOptions options;
     options.directory = directory;
+    options.keep_checkpoint = true;  // until the loop has stored the result
     options.on_progress = [&](const Progress& p) { context_.on_progress(design.name, p); };
     options.stop = [&] {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -115,6 +117,7 @@ StudyOutcome serve_embedded(const Communicator& comm, const EvaluateFunction& ev
     }
     EvaluateOptions options;
     options.directory = order.at("directory").get<std::string>();
+    options.keep_checkpoint = true;
     try {
       evaluate_together(comm, evaluate, design_from_json(order.at("evaluate")), options);
     } catch (const RuntimeError&) {  // the root has thrown as well: its message comes next

@@ -44,8 +44,17 @@ void evaluate_to_file(const Communicator& comm, const std::map<std::string, std:
   EvaluateOptions evaluate_options;
   evaluate_options.directory = options.at("--out");
   evaluate_options.on_progress = [](const Progress& p) { std::cout << progress_line(p) << std::endl; };
+  evaluate_options.keep_checkpoint = true;  // until the study has stored the result
   const Evaluation e = evaluator(comm, design, evaluate_options);
-  if (comm.is_root()) write_text_file(options.at("--result"), json_text(to_json(e)));
+  std::string trouble;
+  if (comm.is_root()) {
+    try {
+      write_text_file(options.at("--result"), json_text(to_json(e)));
+    } catch (const RuntimeError& error) {
+      trouble = error.what();
+    }
+  }
+  fail_together(comm, trouble);
 }
 
 }  // namespace
@@ -59,9 +68,14 @@ int evaluate_design_child(const Communicator& comm, const std::vector<std::strin
   try {
     evaluate_to_file(comm, parse(arguments), evaluator ? evaluator : evaluate);
     return 0;
-  } catch (const InputError& error) {
+  } catch (const InputError& error) {  // the study has read the same: its file is not there any more
+    if (comm.is_root()) std::cout << trouble_line(error.what()) << std::endl;
     if (comm.is_root()) std::cerr << error.what() << std::endl;
     return 2;
+  } catch (const RuntimeError& error) {  // of every rank; the disk may be full, so not by the log alone
+    if (comm.is_root()) std::cout << trouble_line(error.what()) << std::endl;
+    std::cerr << error.what() << std::endl;
+    return machine_trouble_code;
   } catch (const std::exception& error) {
     std::cerr << error.what() << std::endl;
     return 1;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -27,6 +28,8 @@ struct Job {
   std::string directory;
   std::unique_ptr<ChildProcess> child;
   bool timed_out = false;
+  int kills = 0;        // by others
+  std::string trouble;  // of the machine, as the child has told it
 };
 
 std::string result_file(const Job& job) {
@@ -77,7 +80,6 @@ class IsolatedRunner : public Runner {
 
   bool has_room() const override { return jobs_.size() + quick_.size() + done_.size() < at_once_; }
   bool busy() const override { return !jobs_.empty() || !quick_.empty() || !done_.empty(); }
-  bool shares_crashes() const override { return false; }
   void start(const PlannedDesign& planned) override;
   std::vector<Evaluation> wait() override;
   void stop() override;
@@ -88,6 +90,8 @@ class IsolatedRunner : public Runner {
   Evaluation evaluated_here(const Design& design, const std::string& directory) const;
   void take_quick(std::vector<Evaluation>& ended);
   std::vector<std::string> command(const Job& job) const;
+  void launch(Job& job) const;
+  bool launched_again(Job& job) const;
   void listen(Job& job);
   Evaluation result_of(const Job& job) const;
   Evaluation lost(const Job& job) const;
@@ -136,12 +140,31 @@ void IsolatedRunner::start(const PlannedDesign& planned) {
     return;
   }
   write_text_file(job.directory + "/design.json", json_text(to_json(job.design), 2) + "\n");
+  launch(job);
+  jobs_.push_back(std::move(job));
+}
+
+void IsolatedRunner::launch(Job& job) const {
   ChildCommand child;
   child.arguments = command(job);
   child.environment = child_environment();
   child.log = log_file(job);
   job.child = std::make_unique<ChildProcess>(child);
-  jobs_.push_back(std::move(job));
+}
+
+// A process that somebody kills, the kernel where memory runs out for one, is no failure of its design: it
+// goes on from its checkpoint, once. Then the machine has to be seen to.
+bool IsolatedRunner::launched_again(Job& job) const {
+  const int signal = job.child->killed_by();
+  const bool from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
+  if (job.timed_out || !from_outside || std::filesystem::exists(result_file(job))) return false;
+  if (++job.kills > 1)
+    throw RuntimeError(
+        job.design.name + ": its process was " + job.child->complaint() +
+        " twice, by somebody or for want of memory; the same command goes on with it, with --jobs 1 "
+        "it has the memory for itself");
+  launch(job);
+  return true;
 }
 
 std::vector<std::string> IsolatedRunner::command(const Job& job) const {
@@ -162,6 +185,8 @@ void IsolatedRunner::listen(Job& job) {
   for (const std::string& line : job.child->read_lines()) {
     if (const auto progress = progress_from_line(line)) {
       context_.on_progress(job.design.name, *progress);
+    } else if (const auto trouble = trouble_from_line(line)) {
+      job.trouble = *trouble;
     } else {
       std::ofstream(log_file(job), std::ios::app) << line << "\n";
     }
@@ -184,7 +209,7 @@ std::vector<Evaluation> IsolatedRunner::wait() {
   for (auto job = jobs_.begin(); job != jobs_.end();) {
     const bool running = job->child->running();
     listen(*job);
-    if (!running) {
+    if (!running && !launched_again(*job)) {
       ended.push_back(result_of(*job));
       job = jobs_.erase(job);
       continue;
@@ -214,7 +239,13 @@ void IsolatedRunner::stop() {
 Evaluation IsolatedRunner::result_of(const Job& job) const {
   const std::string path = result_file(job);
   if (!std::filesystem::exists(path)) return lost(job);
-  Evaluation e = evaluation_from_json(read_json_file(path));
+  Evaluation e;
+  try {
+    e = evaluation_from_json(read_json_file(path));
+  } catch (const std::exception& error) {
+    throw RuntimeError(path + " cannot be read: " + error.what() +
+                       "; the same command evaluates the design again");
+  }
   std::filesystem::remove(path);
   std::error_code ignored;
   if (std::filesystem::is_empty(log_file(job), ignored)) std::filesystem::remove(log_file(job), ignored);
@@ -222,6 +253,11 @@ Evaluation IsolatedRunner::result_of(const Job& job) const {
 }
 
 Evaluation IsolatedRunner::lost(const Job& job) const {
+  const bool machine = !job.trouble.empty() || job.child->exit_code() == machine_trouble_code;
+  if (machine && !job.timed_out)
+    throw RuntimeError(job.design.name + ": " +
+                       (job.trouble.empty() ? last_line(log_file(job)) : job.trouble) +
+                       "; nothing is lost, the same command goes on");
   Evaluation e;
   e.name = job.design.name;
   e.status = EvaluationStatus::failed;

@@ -42,6 +42,7 @@ class StudyLoop {
 
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
+  bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
   void start(const PlannedDesign& planned);
   void finish(Evaluation evaluation);
   void report(const Evaluation& evaluation, bool recalled);
@@ -94,6 +95,7 @@ std::vector<Case> simulated_cases(const StudyPlan& plan) {
 void StudyLoop::run_plan(const StudyPlan& plan) {
   std::vector<std::string> keys;
   for (const PlannedDesign& planned : plan.designs) keys.push_back(planned.key);
+  if (settings_.retry_failed) store_.remove_damaged();
   store_.begin_study(keys);
   observer_.on_planned(plan);
   test_lattices(simulated_cases(plan));
@@ -184,23 +186,36 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   }
   std::optional<Evaluation> stored = store_.find(planned.key);
   if (!stored) return false;
-  if (stored->status == EvaluationStatus::failed && settings_.retry_failed) {
+  if (stored->status == EvaluationStatus::running) {
+    const Crashes crashes = crashes_of(*stored, settings_.directory);
+    if (crashes.count < 2) return false;
+    stored->status = EvaluationStatus::failed;
+    stored->reason =
+        "crashed twice: the program was lost each time while it evaluated this design, last by " +
+        crashes.last + " (--retry-failed tries it again)";
+  }
+  const bool failed = stored->status == EvaluationStatus::failed;
+  if (failed && settings_.retry_failed) {
     store_.remove(planned.key);
     return false;
   }
-  if (stored->status == EvaluationStatus::running) {
-    if (attempts(*stored) < 2) return false;
-    stored->status = EvaluationStatus::failed;
-    stored->reason =
-        "crashed twice: the program was lost each time while it evaluated this design (--retry-failed tries "
-        "it "
-        "again)";
-  }
+  if (stored->status == EvaluationStatus::damaged) return recall_damaged(planned, *stored);
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
   complete_result(*stored, settings_.directory);
   if (to_json(*stored) != to_json(*store_.find(planned.key))) store_.put(*stored);
   report(*stored, true);
+  return true;
+}
+
+// An optimiser's next points depend on every value before: it cannot go on without this one.
+bool StudyLoop::recall_damaged(const PlannedDesign& planned, const Evaluation& stored) {
+  if (spec_.method.type == MethodType::optimise) {
+    store_.remove(planned.key);
+    return false;
+  }
+  outcome_.notes.push_back(planned.design.name + ": " + stored.reason);
+  report(stored, true);
   return true;
 }
 
@@ -211,8 +226,8 @@ void StudyLoop::start(const PlannedDesign& planned) {
   mark.status = EvaluationStatus::running;
   mark.parameters = planned.design.parameters;
   const auto stored = store_.find(planned.key);
-  const int earlier = stored ? attempts(*stored) : 0;
-  mark.result = {{"attempts", earlier + (runner_.shares_crashes() ? 1 : 0)}};
+  const bool under_way = stored && stored->status == EvaluationStatus::running;
+  mark.result = to_json(under_way ? crashes_of(*stored, settings_.directory) : Crashes());
   store_.put(mark);
   clear_design_directory(settings_.directory, planned.design.name);
   under_way_[planned.design.name] = planned;
@@ -227,6 +242,10 @@ void StudyLoop::finish(Evaluation evaluation) {
   evaluation.parameters = planned.design.parameters;
   complete_result(evaluation, settings_.directory);
   store_.put(evaluation);
+  remove_checkpoint_in(design_directory(settings_.directory, evaluation.name));
+  if (evaluation.result.contains("notes") && evaluation.result.at("notes").is_array())
+    for (const Json& note : evaluation.result.at("notes"))
+      outcome_.notes.push_back(evaluation.name + ": " + note.get<std::string>());
   under_way_.erase(evaluation.name);
   report(evaluation, false);
 }
@@ -240,7 +259,11 @@ void StudyLoop::report(const Evaluation& evaluation, bool recalled) {
 // An end in good order leaves no design marked as running.
 void StudyLoop::abandon() {
   runner_.stop();
-  for (const auto& [name, planned] : under_way_) store_.remove(planned.key);
+  try {
+    for (const auto& [name, planned] : under_way_) store_.remove(planned.key);
+  } catch (
+      const RuntimeError&) {  // the disk is full: a row that stays marked is evaluated again all the same
+  }
 }
 
 void StudyLoop::sum_up() {
@@ -248,7 +271,7 @@ void StudyLoop::sum_up() {
   for (const Evaluation& e : evaluations) {
     outcome_.ok += e.status == EvaluationStatus::ok;
     outcome_.infeasible += e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1;
-    outcome_.failed += e.status == EvaluationStatus::failed;
+    outcome_.failed += e.status == EvaluationStatus::failed || e.status == EvaluationStatus::damaged;
   }
   const Ranking ranking = rank_designs(evaluations, spec_.rank_by);
   if (!ranking.rows.empty() && ranking.rows[0].rank == 1) outcome_.best = ranking.rows[0].evaluation.name;

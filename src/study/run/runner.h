@@ -24,8 +24,6 @@ class Runner {
   virtual std::vector<Evaluation> wait() = 0;
   // Ends what is running; its designs are not handed back.
   virtual void stop() = 0;
-  // A crash of a design ends this process too, so a design found running may be the one that did it.
-  virtual bool shares_crashes() const = 0;
 };
 
 struct RunnerContext {

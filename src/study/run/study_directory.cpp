@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "study/evaluate/provenance.h"
+#include "study/run/crash_mark.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -13,6 +14,8 @@ namespace fs = std::filesystem;
 
 void make_directories(const std::string& directory) {
   std::error_code error;
+  if (fs::is_symlink(fs::path(directory) / "designs"))
+    throw RuntimeError(directory + "/designs: is a link; a study's designs stay in its own directory");
   fs::create_directories(fs::path(directory) / "designs", error);
   if (error) throw RuntimeError(directory + ": cannot be made: " + error.message());
 }
@@ -32,8 +35,17 @@ void write_copy(const StudySpec& spec, const fs::path& copy, bool is_study_of_ou
   write_text_file(copy.string(), json_text(spec.document, 2) + "\n");
 }
 
+// One that is damaged is about to be written anew.
+std::string known_fact(const Store& store, const std::string& name) {
+  try {
+    return store.fact(name);
+  } catch (const RuntimeError&) {
+    return "";
+  }
+}
+
 void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings) {
-  if (store.fact("created").empty()) store.set_fact("created", utc_now());
+  if (known_fact(store, "created").empty()) store.set_fact("created", utc_now());
   store.set_fact("study", json_text(spec.document));
   store.set_fact("study_file", spec.file);
   store.set_fact("name", spec.name);
@@ -54,7 +66,7 @@ StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& se
   make_directories(settings.directory);
   const bool known = fs::exists(directory / "results.sqlite");
   StudyDirectory opened{Store::open((directory / "results.sqlite").string()), {}};
-  const std::string before = opened.store.fact("study");
+  const std::string before = known_fact(opened.store, "study");
   write_copy(spec, directory / "study.json", known);
   if (!before.empty() && before != json_text(spec.document)) {
     opened.notes.push_back(
@@ -65,8 +77,20 @@ StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& se
   return opened;
 }
 
-int attempts(const Evaluation& running) {
-  return running.result.is_object() ? running.result.value("attempts", 0) : 0;
+Crashes crashes_of(const Evaluation& running, const std::string& study_directory) {
+  Crashes crashes;
+  const Json& row = running.result;
+  if (row.is_object() && row.contains("crashes") && row.at("crashes").is_number_integer())
+    crashes.count = row.at("crashes").get<int>();
+  if (row.is_object() && row.contains("last_crash") && row.at("last_crash").is_string())
+    crashes.last = row.at("last_crash").get<std::string>();
+  const std::string mark = crash_mark_in(design_directory(study_directory, running.name));
+  if (mark.empty() || mark == crashes.last) return crashes;
+  return {crashes.count + 1, mark};
+}
+
+Json to_json(const Crashes& crashes) {
+  return {{"crashes", crashes.count}, {"last_crash", crashes.last}};
 }
 
 void complete_result(Evaluation& e, const std::string& study_directory) {

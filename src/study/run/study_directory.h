@@ -19,9 +19,14 @@ struct StudyDirectory {
 // there).
 StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& settings);
 
-// How often a design was begun in a process that a crash of it would have ended. Kept in the row of a running
-// design.
-int attempts(const Evaluation& running);
+// How often a design that was under way has crashed the process it shared: its row remembers, and a mark that
+// a crash has left since counts once.
+struct Crashes {
+  int count = 0;
+  std::string last;  // the mark's words
+};
+Crashes crashes_of(const Evaluation& running, const std::string& study_directory);
+Json to_json(const Crashes& crashes);  // for the row of a running design
 
 // Makes the parts of a result that repeat the evaluation agree with it, in result.json too.
 void complete_result(Evaluation& evaluation, const std::string& study_directory);

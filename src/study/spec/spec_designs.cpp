@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "study/spec/design_name.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {
-
-constexpr int longest_name = 64;
-
-// ASCII letters and digits or any letter beyond ASCII first, then also space . _ + ( ) -: a name is a
-// directory too.
-bool is_safe_name(const std::string& name) {
-  const auto letter = [](unsigned char c) { return std::isalnum(c) || c >= 0x80; };
-  int characters = 0;
-  for (const char c : name) characters += (c & 0xC0) != 0x80;  // UTF-8 continuation bytes do not count
-  if (characters < 1 || characters > longest_name || !letter(name[0])) return false;
-  return std::all_of(name.begin(), name.end(), [&](char c) {
-    return letter(static_cast<unsigned char>(c)) || std::string(" ._+()-").find(c) != std::string::npos;
-  });
-}
 
 // Names the program gives itself.
 bool is_reserved(const std::string& name) {
@@ -36,11 +23,11 @@ std::string parse_name(const Json& design, const std::string& at, Mistakes& mist
     mistakes.push_back({at + "/name", "is missing; give the design a name of its own"});
     return "";
   }
-  if (!name->is_string() || !is_safe_name(name->get<std::string>())) {
+  if (!name->is_string() || !is_design_name(name->get<std::string>())) {
     mistakes.push_back(
         {at + "/name", "is " + shown(*name) +
-                           ", must be 1 to 64 letters, digits, spaces or . _ + ( ) - and start with a "
-                           "letter or digit: it names a directory"});
+                           ", must be 1 to 64 letters, digits, spaces or . _ + ( ) -, in UTF-8 200 bytes at "
+                           "most, and start with a letter or digit: it names a directory"});
     return "";
   }
   if (is_reserved(*name)) {
@@ -49,6 +36,22 @@ std::string parse_name(const Json& design, const std::string& at, Mistakes& mist
          "is " + shown(*name) + ", a name the program gives itself (baseline, d001 ...); choose another"});
   }
   return *name;
+}
+
+// A key with null is dropped from the file's section, which leaves nothing for the section's reader to find
+// fault with.
+void check_dropped_keys(const std::string& section, const Json& patch, const std::string& at,
+                        Mistakes& mistakes) {
+  if (!patch.is_object()) return;
+  for (const auto& item : patch.items()) {
+    const bool scale = item.key() == "scale" && section_has_scale(section);
+    if (!item.value().is_null() || scale || find_spelling(section, item.key()).key) continue;
+    std::vector<std::string> known;
+    for (const Key* key : keys_of_section(section)) known.push_back(spelled(*key));
+    mistakes.push_back({at + "/" + section + "/" + item.key(), "is not a key of \"" + section + "\"" +
+                                                                   did_you_mean(item.key(), known) +
+                                                                   ": null drops a key that the file gives"});
+  }
 }
 
 // A patch may change the ship, the ice and the run, not the study.
@@ -60,14 +63,17 @@ bool parse_patch_keys(const Json& patch, const std::string& at, Mistakes& mistak
   std::vector<std::string> allowed = design_sections();
   allowed.push_back("scale");
   for (const auto& item : patch.items()) {
-    if (std::find(allowed.begin(), allowed.end(), item.key()) != allowed.end()) continue;
+    if (std::find(allowed.begin(), allowed.end(), item.key()) != allowed.end()) {
+      check_dropped_keys(item.key(), item.value(), at, mistakes);
+      continue;
+    }
     mistakes.push_back({at + "/" + item.key(), "cannot be changed by a design, which may set " +
                                                    listed(allowed) + did_you_mean(item.key(), allowed)});
   }
   return true;
 }
 
-NamedDesign parse_design(const Json& document, const Json& design, const std::string& at,
+NamedDesign parse_design(const CaseMistakes& baseline, const Json& design, const std::string& at,
                          Mistakes& mistakes) {
   NamedDesign named;
   if (!design.is_object()) {
@@ -83,9 +89,9 @@ NamedDesign parse_design(const Json& document, const Json& design, const std::st
   named.name = parse_name(design, at, mistakes);
   named.set = design.value("set", Json::object());
   if (!parse_patch_keys(named.set, at + "/set", mistakes)) return named;
-  Json patched = document;
+  Json patched = baseline.document();
   patched.merge_patch(named.set);
-  for (const Mistake& m : new_case_mistakes(document, patched)) {
+  for (const Mistake& m : baseline.fresh(patched)) {
     mistakes.push_back({at + "/set" + m.pointer, m.message});
   }
   return named;
@@ -93,16 +99,19 @@ NamedDesign parse_design(const Json& document, const Json& design, const std::st
 
 }  // namespace
 
-Mistakes new_case_mistakes(const Json& before, const Json& after) {
-  Mistakes old, all, fresh;
-  parse_case(before, old);
-  parse_case(after, all);
-  for (const Mistake& m : all) {
-    const bool known = std::any_of(old.begin(), old.end(), [&](const Mistake& o) {
-      return o.pointer == m.pointer && o.message == m.message;
-    });
-    if (!known) fresh.push_back(m);
-  }
+CaseMistakes::CaseMistakes(const Json& document) : document_(document) {
+  for (const char* list : {"designs", "method"})
+    document_.erase(list);  // may be long, and say nothing of a case
+  Mistakes mistakes;
+  parse_case(document_, mistakes);
+  for (const Mistake& m : mistakes) known_.emplace(m.pointer, m.message);
+}
+
+Mistakes CaseMistakes::fresh(const Json& changed) const {
+  Mistakes all, fresh;
+  parse_case(changed, all);
+  for (const Mistake& m : all)
+    if (known_.count({m.pointer, m.message}) == 0) fresh.push_back(m);
   return fresh;
 }
 
@@ -116,9 +125,10 @@ std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes)
     return designs;
   }
   std::set<std::string> names;
+  const CaseMistakes baseline(document);
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::string at = "/designs/" + std::to_string(k);
-    designs.push_back(parse_design(document, list[k], at, mistakes));
+    designs.push_back(parse_design(baseline, list[k], at, mistakes));
     const std::string& name = designs.back().name;
     if (!name.empty() && !names.insert(name).second) {
       mistakes.push_back(

@@ -1,6 +1,9 @@
 // The part of a study file that names designs and evaluators.
 #pragma once
 
+#include <set>
+#include <utility>
+
 #include "study/spec/spec_section.h"
 #include "study/spec/study_spec.h"
 
@@ -10,7 +13,16 @@ namespace icebow {
 std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes);
 void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes);
 
-// Mistakes of the case after a change that the case before did not have.
-Mistakes new_case_mistakes(const Json& before, const Json& after);
+// The mistakes of a study's own case, by which those that a change of it brings are told.
+class CaseMistakes {
+ public:
+  explicit CaseMistakes(const Json& document);
+  const Json& document() const { return document_; }  // what a design changes: without designs and method
+  Mistakes fresh(const Json& changed) const;          // those of `changed` that the document does not have
+
+ private:
+  Json document_;
+  std::set<std::pair<std::string, std::string>> known_;  // pointer and message
+};
 
 }  // namespace icebow

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace icebow {
+namespace {
+
+constexpr std::size_t longest_word = 100;  // of a design's name; keys and commands are shorter
+
+}  // namespace
 
 int edit_distance(const std::string& a, const std::string& b) {
   // Optimal string alignment: three rows of the usual table.
@@ -27,12 +33,15 @@ int edit_distance(const std::string& a, const std::string& b) {
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
   int best_distance = 0;
+  if (word.size() > longest_word) return best;  // no slip of the hand
   for (const std::string& candidate : known) {
     // A word contained in the other (beam for beam_m) is near however long the rest is.
     const bool contained =
         word.size() > 2 && (candidate.rfind(word, 0) == 0 || word.rfind(candidate, 0) == 0);
-    const int distance = contained ? 1 : edit_distance(word, candidate);
     const int limit = 1 + static_cast<int>(std::max(word.size(), candidate.size())) / 3;
+    const int longer = std::abs(static_cast<int>(word.size()) - static_cast<int>(candidate.size()));
+    if (!contained && longer > limit) continue;
+    const int distance = contained ? 1 : edit_distance(word, candidate);
     if (distance <= limit && (best.empty() || distance < best_distance)) {
       best = candidate;
       best_distance = distance;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "base/units.h"
 #include "hullgen/bow/family.h"
@@ -215,12 +217,16 @@ std::string spelled(const Key& key) {
 }
 
 Spelling find_spelling(const std::string& section, const std::string& spelling) {
-  for (const Key* key : keys_of_section(section)) {
-    for (const Unit& unit : units_of(key->quantity)) {
-      if (spelling == std::string(key->name) + unit.suffix) return {key, &unit};
-    }
-  }
-  return {};
+  static const auto all = [] {
+    std::map<std::pair<std::string, std::string>, Spelling> spellings;
+    for (const Key& key : table)
+      for (const Unit& unit : units_of(key.quantity))
+        spellings.emplace(std::pair(std::string(key.section), std::string(key.name) + unit.suffix),
+                          Spelling{&key, &unit});
+    return spellings;
+  }();
+  const auto found = all.find({section, spelling});
+  return found == all.end() ? Spelling() : found->second;
 }
 
 Spelling find_pointer(const std::string& pointer) {

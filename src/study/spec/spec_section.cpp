@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/printable.h"
 #include "base/units.h"
 #include "study/spec/spec_hints.h"
 
@@ -39,8 +40,8 @@ const char* const exclusive[][3] = {{"hull", "draft", "waterline_height"},
 }  // namespace
 
 std::string shown(const Json& value) {
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() > 40 ? shortened(text, 37) : text;
 }
 
 std::string type_name(const Json& value) {

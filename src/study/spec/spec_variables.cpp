@@ -147,10 +147,11 @@ class VariableReader {
 
   // Each end of the range by itself must make a case that can be run.
   void try_ends() {
+    const CaseMistakes baseline(document_);
     const auto attempt = [&](double x) {
-      Json changed = document_;
+      Json changed = baseline.document();
       changed[Json::json_pointer(variable_.pointer)] = x;
-      for (const Mistake& m : new_case_mistakes(document_, changed)) {
+      for (const Mistake& m : baseline.fresh(changed)) {
         mistake("", "at " + brief(x) + " makes " + m.pointer + " wrong: it " + m.message);
       }
     };

@@ -3,17 +3,29 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "study/evaluate/evaluate.h"
+#include "study/spec/design_name.h"
 
 namespace icebow {
 namespace {
 
 namespace fs = std::filesystem;
 
+// Somebody else's study may point at files of ours.
+void refuse_link(const fs::path& path) {
+  if (fs::is_symlink(path))
+    throw RuntimeError(
+        path.string() +
+        ": is a link; what a study writes stays in its own directory. Put a directory in its place");
+}
+
 // The directory first, then the row: a kill in between leaves a move that is completed by doing it again.
 void move_design(Store& store, const std::string& study_directory, Evaluation e, const std::string& name) {
   const fs::path from = design_directory(study_directory, e.name),
                  to = design_directory(study_directory, name);
+  refuse_link(from);
+  refuse_link(from.parent_path());
   if (fs::exists(from)) {
     fs::remove_all(to);
     fs::rename(from, to);
@@ -32,13 +44,16 @@ std::string set_aside(const Evaluation& e) {
 // What a simulation that goes on from its checkpoint still needs.
 bool is_continued(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name == checkpoint_name || name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 ||
-         name == "hull.pvd";
+  return name == checkpoint_name || name == std::string(checkpoint_name) + ".damaged" ||
+         name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 || name == "hull.pvd";
 }
 
 }  // namespace
 
 std::string design_directory(const std::string& study_directory, const std::string& name) {
+  if (!is_stored_name(name))
+    throw RuntimeError(study_directory + ": a design is called \"" + shortened(name, 60) +
+                       "\", which is no name of a design");
   return (fs::path(study_directory) / "designs" / name).string();
 }
 
@@ -46,9 +61,14 @@ void settle_name(Store& store, const std::string& study_directory, const std::st
                  const std::string& key) {
   try {
     const auto holder = store.find_name(name);
-    if (holder && holder->key != key) move_design(store, study_directory, *holder, set_aside(*holder));
+    if (holder && holder->key != key && holder->status == EvaluationStatus::damaged) {
+      store.remove(holder->key);
+    } else if (holder && holder->key != key) {
+      move_design(store, study_directory, *holder, set_aside(*holder));
+    }
     const auto stored = store.find(key);
-    if (stored && stored->name != name) move_design(store, study_directory, *stored, name);
+    if (stored && stored->name != name && stored->status != EvaluationStatus::damaged)
+      move_design(store, study_directory, *stored, name);
   } catch (const fs::filesystem_error& error) {
     throw RuntimeError(error.what());
   }
@@ -57,6 +77,8 @@ void settle_name(Store& store, const std::string& study_directory, const std::st
 void clear_design_directory(const std::string& study_directory, const std::string& name) {
   const fs::path directory = design_directory(study_directory, name);
   try {
+    refuse_link(directory.parent_path());
+    refuse_link(directory);
     const bool continues = fs::exists(directory / checkpoint_name);
     if (!continues) fs::remove_all(directory);
     fs::create_directories(directory);

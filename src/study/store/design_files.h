@@ -8,11 +8,13 @@
 
 namespace icebow {
 
+// Throws RuntimeError for a name that would lead elsewhere.
 std::string design_directory(const std::string& study_directory, const std::string& name);
 
 // Makes `name` stand for `key` and nothing else, in the store and on disk, so that files always belong to the
 // row of their name. A row of an earlier study file that has the name is set aside as "name~<start of its
-// key>"; the row of this key, where it has another name, is renamed together with its directory.
+// key>", or dropped where it is damaged; the row of this key, where it has another name, is renamed together
+// with its directory.
 void settle_name(Store& store, const std::string& study_directory, const std::string& name,
                  const std::string& key);
 

@@ -12,7 +12,8 @@ namespace icebow {
 namespace {
 
 constexpr int wait_for_others_ms =
-    20000;  // a reader of a rollback journal holds the writer up for moments only
+    20000;                             // a reader of a rollback journal holds the writer up for moments only
+constexpr int reader_waits_ms = 2000;  // the writer holds readers of one up for moments, too
 
 std::string what_to_do(int code) {
   switch (code & 0xff) {
@@ -21,6 +22,10 @@ std::string what_to_do(int code) {
       return "; another program holds it locked: close that program and run the same command again";
     case SQLITE_FULL:
       return "; the disk is full, what was stored before is kept: make room and run the same command again";
+    case SQLITE_CORRUPT:
+      return "; the file is damaged: put a copy of it in its place, or move it away and run the study's "
+             "command "
+             "again, which evaluates its designs anew";
     case SQLITE_NOTADB:
       return "; this is not a result store of icebow";
     case SQLITE_READONLY:
@@ -71,9 +76,11 @@ Database Database::open(const std::string& path) {
 
 Database Database::open_read_only(const std::string& path) {
   Database database(path, SQLITE_OPEN_READONLY);
+  sqlite3_busy_timeout(database.handle_, reader_waits_ms);
   const bool readable = sqlite3_exec(database.handle_, "SELECT count(*) FROM sqlite_master", nullptr, nullptr,
                                      nullptr) == SQLITE_OK;
   const int code = sqlite3_errcode(database.handle_);
+  if (!readable && (code & 0xff) == SQLITE_BUSY) database.fail("cannot be read");
   const bool no_shared_memory = (code & 0xff) == SQLITE_CANTOPEN || (code & 0xff) == SQLITE_READONLY;
   std::error_code missing;
   const auto log_size = std::filesystem::file_size(path + "-wal", missing);
@@ -122,8 +129,8 @@ Statement& Statement::bind(double value) {
   return *this;
 }
 
-Statement& Statement::bind(int value) {
-  sqlite3_bind_int(statement_, ++bound_, value);
+Statement& Statement::bind(std::int64_t value) {
+  sqlite3_bind_int64(statement_, ++bound_, value);
   return *this;
 }
 
@@ -138,6 +145,10 @@ bool Statement::step() {
 std::string Statement::text(int column) const {
   const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
   return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : "";
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(statement_, column);
 }
 
 double Statement::number(int column) const {

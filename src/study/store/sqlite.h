@@ -1,6 +1,7 @@
 // SQLite with destructors and exceptions. Included by store.cpp only.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 struct sqlite3;
@@ -12,7 +13,7 @@ class Database {
  public:
   // Both throw RuntimeError naming the file.
   static Database open(const std::string& path);
-  static Database open_read_only(const std::string& path);
+  static Database open_read_only(const std::string& path);  // does not wait long where it is locked
   Database(Database&& other) noexcept;
   ~Database();
 
@@ -22,6 +23,7 @@ class Database {
       const std::string& sql) const;  // first column of the first row; empty where there is none
   [[noreturn]] void fail(const std::string& doing) const;
   sqlite3* handle() const { return handle_; }
+  const std::string& path() const { return path_; }
 
  private:
   Database(std::string path, int flags);
@@ -39,7 +41,7 @@ class Statement {
 
   Statement& bind(const std::string& text);
   Statement& bind(double value);  // NaN becomes NULL
-  Statement& bind(int value);
+  Statement& bind(std::int64_t value);
   bool step();  // true where there is a row to read
   void run() {
     while (step()) {
@@ -48,6 +50,7 @@ class Statement {
 
   std::string text(int column) const;
   double number(int column) const;  // NULL becomes NaN
+  std::int64_t integer(int column) const;
 
  private:
   const Database& database_;

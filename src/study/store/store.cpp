@@ -1,15 +1,21 @@
 #include "study/store/store.h"
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "base/errors.h"
+#include "base/printable.h"
+#include "base/sha256.h"
+#include "study/spec/design_name.h"
 #include "study/store/sqlite.h"
 #include "study/store/store_lock.h"
 
 namespace icebow {
 namespace {
 
-constexpr int schema_version = 1;
+constexpr int schema_version = 2, without_digests = 1;
 constexpr int application_id = 0x49434257;  // "ICBW": tells a store from any other SQLite file
 
 constexpr const char* schema = R"sql(
@@ -21,32 +27,78 @@ constexpr const char* schema = R"sql(
     reason TEXT NOT NULL,
     wall_seconds REAL,
     parameters TEXT NOT NULL,
-    result TEXT NOT NULL
+    result TEXT NOT NULL,
+    digest TEXT
   );
-  CREATE TABLE study (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE);
-  CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL);
+  CREATE TABLE study (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, digest TEXT);
+  CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL, digest TEXT);
+)sql";
+
+constexpr const char* add_digests = R"sql(
+  ALTER TABLE evaluations ADD COLUMN digest TEXT;
+  ALTER TABLE study ADD COLUMN digest TEXT;
+  ALTER TABLE facts ADD COLUMN digest TEXT;
 )sql";
 
 constexpr const char* columns =
-    "SELECT e.key, e.name, e.status, e.reason, e.wall_seconds, e.parameters, e.result FROM evaluations e ";
+    "SELECT e.id, e.key, e.name, e.status, e.reason, e.wall_seconds, e.parameters, e.result, ";
 
-Evaluation row(const Statement& statement) {
+// A row as it stands in the file.
+struct Row {
+  std::int64_t id = 0;
+  std::string key, name, status, reason, parameters, result, digest;
+  double wall_seconds = 0.0;
+};
+
+Row row(const Statement& s) {
+  return {s.integer(0), s.text(1), s.text(2), s.text(3),  s.text(4),
+          s.text(6),    s.text(7), s.text(8), s.number(5)};
+}
+
+// Lengths stand before the texts, so that no two rows read the same.
+std::string digest_of(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;
+  return sha256(all);
+}
+
+std::string digest_of(const Row& r) {
+  char seconds[40];
+  std::snprintf(seconds, sizeof seconds, "%a", std::isnan(r.wall_seconds) ? -1.0 : r.wall_seconds);
+  return digest_of({r.key, r.name, r.status, r.reason, seconds, r.parameters, r.result});
+}
+
+std::string digest_of_place(std::int64_t position, const std::string& key) {
+  return digest_of({std::to_string(position), key});
+}
+
+Evaluation damaged(const Row& r, const std::string& why) {
   Evaluation e;
-  e.key = statement.text(0);
-  e.name = statement.text(1);
-  e.status = status_from_string(statement.text(2));
-  e.reason = statement.text(3);
-  e.wall_seconds = statement.number(4);
-  e.parameters = parameters_from_json(parse_json(statement.text(5), "parameters of " + e.name));
-  e.result = parse_json(statement.text(6), "result of " + e.name);
+  e.key = r.key;
+  e.name = is_stored_name(r.name) ? r.name : "row " + std::to_string(r.id);
+  e.status = EvaluationStatus::damaged;
+  e.reason = "its row in results.sqlite " + why +
+             "; `icebow run` with --retry-failed evaluates it again, the other designs stand";
+  e.wall_seconds = std::numeric_limits<double>::quiet_NaN();
   return e;
 }
 
-std::vector<Evaluation> rows(const Database& database, const std::string& rest) {
-  Statement statement(database, columns + rest);
-  std::vector<Evaluation> evaluations;
-  while (statement.step()) evaluations.push_back(row(statement));
-  return evaluations;
+Evaluation evaluation(const Row& r, bool digests) {
+  if (digests && r.digest != digest_of(r)) return damaged(r, "is damaged: it does not fit its digest");
+  if (!is_stored_name(r.name)) return damaged(r, "is damaged: its name is no design's");
+  try {
+    Evaluation e;
+    e.key = r.key;
+    e.name = r.name;
+    e.status = status_from_string(r.status);
+    e.reason = r.reason;
+    e.wall_seconds = r.wall_seconds;
+    e.parameters = parameters_from_json(parse_json(r.parameters, "parameters"));
+    e.result = parse_json(r.result, "result");
+    return e;
+  } catch (const std::exception& error) {
+    return damaged(r, std::string("cannot be read: ") + error.what());
+  }
 }
 
 void check_is_store(const Database& database, const std::string& path) {
@@ -54,11 +106,25 @@ void check_is_store(const Database& database, const std::string& path) {
     throw RuntimeError(path + ": this SQLite file is not a result store of icebow; choose another directory");
   }
   const std::string version = database.text_of("PRAGMA user_version");
-  if (version != std::to_string(schema_version)) {
+  if (version != std::to_string(schema_version) && version != std::to_string(without_digests)) {
     throw RuntimeError(path + ": written by another version of icebow (schema " + version +
                        ", this one reads " + std::to_string(schema_version) +
                        "); use that version, or choose another directory");
   }
+}
+
+// Pages that are not what SQLite wrote.
+void check_is_whole(const Database& database, const std::string& path) {
+  const std::string trouble = database.text_of("PRAGMA integrity_check(1)");
+  if (trouble == "ok") return;
+  throw RuntimeError(
+      path + ": the file is damaged (" + shortened(trouble, 120) +
+      "): put a copy of it in its place, or move it away and run the study's command again, which "
+      "evaluates its designs anew");
+}
+
+bool has_digests(const Database& database) {
+  return database.text_of("PRAGMA user_version") != std::to_string(without_digests);
 }
 
 // True where the file is new: without tables of anybody's.
@@ -92,6 +158,86 @@ struct Store::Impl {
   std::unique_ptr<StoreLock>
       lock;  // none for a reader; declared first, so given back after the file is closed
   Database database;
+  bool digests = true;
+
+  std::vector<Evaluation> evaluations(const std::string& rest, const std::string& key_or_name = "") const {
+    Statement statement(database,
+                        columns + std::string(digests ? "e.digest" : "NULL") + " FROM evaluations e " + rest);
+    if (!key_or_name.empty()) statement.bind(key_or_name);
+    std::vector<Evaluation> list;
+    while (statement.step()) list.push_back(evaluation(row(statement), digests));
+    return list;
+  }
+
+  std::optional<Evaluation> first(const std::string& rest, const std::string& key_or_name) const {
+    std::vector<Evaluation> list = evaluations(rest, key_or_name);
+    if (list.empty()) return std::nullopt;
+    return std::move(list.front());
+  }
+
+  void put(const Row& r) {
+    Statement(database,
+              "INSERT INTO evaluations (key, name, status, reason, wall_seconds, parameters, result, digest) "
+              "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (key) DO UPDATE SET name = excluded.name, "
+              "status = excluded.status, reason = excluded.reason, wall_seconds = excluded.wall_seconds, "
+              "parameters = excluded.parameters, result = excluded.result, digest = excluded.digest")
+        .bind(r.key)
+        .bind(r.name)
+        .bind(r.status)
+        .bind(r.reason)
+        .bind(r.wall_seconds)
+        .bind(r.parameters)
+        .bind(r.result)
+        .bind(digest_of(r))
+        .run();
+  }
+
+  void check_list() const {
+    if (!digests) return;
+    Statement statement(database, "SELECT position, key, digest FROM study");
+    while (statement.step())
+      if (statement.text(2) != digest_of_place(statement.integer(0), statement.text(1)))
+        throw RuntimeError(
+            database.path() +
+            ": the list of the study's designs is damaged; run the study's command again, which writes "
+            "it anew and takes the results that are there");
+  }
+
+  // What a version without digests has written is believed.
+  void migrate() {
+    database.execute("BEGIN IMMEDIATE");
+    database.execute(add_digests);
+    std::vector<Row> all;
+    {
+      Statement statement(database, columns + std::string("NULL FROM evaluations e"));
+      while (statement.step()) all.push_back(row(statement));
+    }
+    for (const Row& r : all) put(r);
+    add_other_digests();
+    database.execute("PRAGMA user_version = " + std::to_string(schema_version));
+    database.execute("COMMIT");
+  }
+
+  void add_other_digests() {
+    std::vector<std::pair<std::int64_t, std::string>> places;
+    std::vector<std::pair<std::string, std::string>> facts;
+    {
+      Statement list(database, "SELECT position, key FROM study"),
+          words(database, "SELECT name, value FROM facts");
+      while (list.step()) places.emplace_back(list.integer(0), list.text(1));
+      while (words.step()) facts.emplace_back(words.text(0), words.text(1));
+    }
+    for (const auto& [position, key] : places)
+      Statement(database, "UPDATE study SET digest = ? WHERE position = ?")
+          .bind(digest_of_place(position, key))
+          .bind(position)
+          .run();
+    for (const auto& [name, value] : facts)
+      Statement(database, "UPDATE facts SET digest = ? WHERE name = ?")
+          .bind(digest_of({name, value}))
+          .bind(name)
+          .run();
+  }
 
   // A store at rest is one file, to be copied or read from anywhere. While somebody reads, its log stays
   // beside it.
@@ -107,59 +253,61 @@ Store::~Store() = default;
 Store Store::open(const std::string& path, Journal journal) {
   auto lock = std::make_unique<StoreLock>(path + ".lock");
   Database database = Database::open(path);
-  if (!is_blank(database))
+  const bool blank = is_blank(database);
+  if (!blank) {
     check_is_store(database, path);  // before anything is written to a file of somebody else
+    check_is_whole(database, path);
+  }
   choose_journal(database, path, journal);
-  if (is_blank(database)) create(database);
-  return Store(std::unique_ptr<Impl>(new Impl{std::move(lock), std::move(database)}));
+  if (blank) create(database);
+  const bool migrates = !has_digests(database);
+  std::unique_ptr<Impl> impl(new Impl{std::move(lock), std::move(database)});
+  if (migrates) impl->migrate();
+  return Store(std::move(impl));
 }
 
 Store Store::open_read_only(const std::string& path) {
   if (!std::filesystem::exists(path)) throw RuntimeError(path + ": there is no result store");
   Database database = Database::open_read_only(path);
   check_is_store(database, path);
-  return Store(std::unique_ptr<Impl>(new Impl{nullptr, std::move(database)}));
+  check_is_whole(database, path);
+  const bool digests = has_digests(database);
+  return Store(std::unique_ptr<Impl>(new Impl{nullptr, std::move(database), digests}));
 }
 
 std::optional<Evaluation> Store::find(const std::string& key) const {
-  Statement statement(impl_->database, std::string(columns) + "WHERE e.key = ?");
-  if (!statement.bind(key).step()) return std::nullopt;
-  return row(statement);
+  return impl_->first("WHERE e.key = ?", key);
 }
 
 std::optional<Evaluation> Store::find_name(const std::string& name) const {
-  Statement statement(impl_->database, std::string(columns) + "WHERE e.name = ? ORDER BY e.id");
-  if (!statement.bind(name).step()) return std::nullopt;
-  return row(statement);
+  return impl_->first("WHERE e.name = ? ORDER BY e.id", name);
 }
 
 void Store::put(const Evaluation& e) {
-  Statement(impl_->database,
-            "INSERT INTO evaluations (key, name, status, reason, wall_seconds, parameters, result) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (key) DO UPDATE SET name = excluded.name, "
-            "status = excluded.status, reason = excluded.reason, wall_seconds = excluded.wall_seconds, "
-            "parameters = excluded.parameters, result = excluded.result")
-      .bind(e.key)
-      .bind(e.name)
-      .bind(std::string(to_string(e.status)))
-      .bind(e.reason)
-      .bind(e.wall_seconds)
-      .bind(json_text(parameters_json(e.parameters)))
-      .bind(json_text(e.result))
-      .run();
+  impl_->put({0, e.key, e.name, to_string(e.status), e.reason, json_text(parameters_json(e.parameters)),
+              json_text(e.result), "", e.wall_seconds});
 }
 
 void Store::remove(const std::string& key) {
   Statement(impl_->database, "DELETE FROM evaluations WHERE key = ?").bind(key).run();
 }
 
+void Store::remove_damaged() {
+  for (const Evaluation& e : everything())
+    if (e.status == EvaluationStatus::damaged) remove(e.key);
+}
+
 std::vector<Evaluation> Store::all() const {
   if (impl_->database.text_of("SELECT count(*) FROM study") == "0") return everything();
-  return rows(impl_->database, "JOIN study s ON s.key = e.key ORDER BY s.position");
+  impl_->check_list();
+  std::vector<Evaluation> list = impl_->evaluations("JOIN study s ON s.key = e.key ORDER BY s.position");
+  for (Evaluation& e : impl_->evaluations("WHERE e.key NOT IN (SELECT key FROM study) ORDER BY e.id"))
+    if (e.status == EvaluationStatus::damaged) list.push_back(std::move(e));
+  return list;
 }
 
 std::vector<Evaluation> Store::everything() const {
-  return rows(impl_->database, "ORDER BY e.id");
+  return impl_->evaluations("ORDER BY e.id");
 }
 
 void Store::begin_study(const std::vector<std::string>& keys) {
@@ -169,27 +317,42 @@ void Store::begin_study(const std::vector<std::string>& keys) {
     for (const std::string& key : keys) add_to_study(key);
     impl_->database.execute("COMMIT");
   } catch (...) {
-    Statement(impl_->database, "ROLLBACK").run();
+    impl_->database.try_at_once("ROLLBACK");
     throw;
   }
 }
 
 void Store::add_to_study(const std::string& key) {
-  Statement(impl_->database, "INSERT INTO study (key) VALUES (?) ON CONFLICT DO NOTHING").bind(key).run();
+  Statement known(impl_->database, "SELECT 1 FROM study WHERE key = ?");
+  if (known.bind(key).step()) return;
+  const std::string last = impl_->database.text_of("SELECT max(position) FROM study");
+  const std::int64_t position = last.empty() ? 1 : std::stoll(last) + 1;
+  Statement(impl_->database, "INSERT INTO study (position, key, digest) VALUES (?, ?, ?)")
+      .bind(position)
+      .bind(key)
+      .bind(digest_of_place(position, key))
+      .run();
 }
 
 void Store::set_fact(const std::string& name, const std::string& value) {
   Statement(impl_->database,
-            "INSERT INTO facts (name, value) VALUES (?, ?) "
-            "ON CONFLICT (name) DO UPDATE SET value = excluded.value")
+            "INSERT INTO facts (name, value, digest) VALUES (?, ?, ?) "
+            "ON CONFLICT (name) DO UPDATE SET value = excluded.value, digest = excluded.digest")
       .bind(name)
       .bind(value)
+      .bind(digest_of({name, value}))
       .run();
 }
 
 std::string Store::fact(const std::string& name) const {
-  Statement statement(impl_->database, "SELECT value FROM facts WHERE name = ?");
-  return statement.bind(name).step() ? statement.text(0) : "";
+  Statement statement(impl_->database, "SELECT value" + std::string(impl_->digests ? ", digest" : "") +
+                                           " FROM facts WHERE name = ?");
+  if (!statement.bind(name).step()) return "";
+  const std::string value = statement.text(0);
+  if (impl_->digests && statement.text(1) != digest_of({name, value}))
+    throw RuntimeError(impl_->database.path() + ": what it says of the study (\"" + name +
+                       "\") is damaged; run the study's command again, which writes it anew");
+  return value;
 }
 
 }  // namespace icebow

@@ -1,6 +1,9 @@
 // The result store of a study: DIR/results.sqlite, written by one process. What it acknowledged survives a
 // kill.
 //
+// Each row carries a digest of its content. One that does not fit it, or cannot be read, is told as an
+// evaluation of status `damaged` and costs no other row.
+//
 // Rows are kept by key for as long as the file lives, so going back to an earlier version of a study file
 // finds its results. begin_study() says which of them belong to the study as it stands now.
 #pragma once
@@ -22,7 +25,8 @@ enum class Journal {
 class Store {
  public:
   // Creates the file where there is none, and holds `path`.lock until it is closed: a second writer is
-  // refused. Throws RuntimeError naming the file (locked, full, not a store).
+  // refused. A store of an earlier version is brought to this one. Throws RuntimeError naming the file
+  // (locked, full, not a store, its pages damaged).
   static Store open(const std::string& path, Journal journal = Journal::automatic);
   // For readers, at any time, while a run writes too. Throws likewise.
   static Store open_read_only(const std::string& path);
@@ -33,9 +37,11 @@ class Store {
   std::optional<Evaluation> find_name(const std::string& name) const;
   void put(const Evaluation& evaluation);  // inserts or replaces by key
   void remove(const std::string& key);
+  void remove_damaged();  // the rows; their designs are then as if they had never been evaluated
 
-  // The evaluations of the present study, in its order; where no study was begun, every evaluation, in the
-  // order they were first put.
+  // The evaluations of the present study, in its order, then rows that are damaged: whose they were cannot be
+  // known. Where no study was begun, every evaluation, in the order they were first put. Throws RuntimeError
+  // where the study's list of designs is damaged.
   std::vector<Evaluation> all() const;
   std::vector<Evaluation> everything()
       const;  // those of earlier versions of the study file too, as first put
@@ -46,7 +52,7 @@ class Store {
 
   // Study-level facts: "study" (the document), "command", "version", "host", "started", "seed" ...
   void set_fact(const std::string& name, const std::string& value);
-  std::string fact(const std::string& name) const;  // empty where unknown
+  std::string fact(const std::string& name) const;  // empty where unknown; throws RuntimeError where damaged
 
  private:
   struct Impl;

@@ -1,6 +1,6 @@
 #include "study/store/store_lock.h"
 
-#include <fcntl.h>
+#include <fcntl.h>  // F_OFD_SETLK: g++ defines _GNU_SOURCE
 #include <sys/file.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -25,13 +25,25 @@ std::string content(int file) {
   return line.substr(0, line.find('\n'));
 }
 
+// Of the whole file, by the kernel's table of locks or, where a network file system refuses that, by the
+// server's. Either goes with the process. 0 or an errno.
+int lock_once(int file) {
+  if (flock(file, LOCK_EX | LOCK_NB) == 0) return 0;
+  if (errno == EWOULDBLOCK) return EWOULDBLOCK;
+  struct flock whole = {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  if (fcntl(file, F_OFD_SETLK, &whole) == 0) return 0;
+  return errno == EACCES ? EWOULDBLOCK : errno;
+}
+
 // 0 or an errno. Tries for a while: a run that was killed while it started a child shares its lock with that
 // child until the child has become another program.
 int lock(int file) {
   int error = EWOULDBLOCK;
   for (int i = 0; i < 50 && error == EWOULDBLOCK; ++i) {
     if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    error = flock(file, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    error = lock_once(file);
   }
   return error;
 }
@@ -48,11 +60,17 @@ StoreLock::StoreLock(const std::string& path) {
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) throw RuntimeError(path + ": cannot be opened for writing: " + std::strerror(errno));
   const int error = lock(file_);
-  if (error == 0) write_holder(file_);
-  if (error != EWOULDBLOCK)
-    return;  // where a file system has no such locks, SQLite's own still protect the data
+  if (error == 0) {
+    write_holder(file_);
+    return;
+  }
   const std::string holder = content(file_);
   ::close(file_);
+  if (error != EWOULDBLOCK)
+    throw RuntimeError(
+        path + ": cannot be locked (" + std::strerror(error) +
+        "), so a second run could not be kept from this study: choose a directory on a file system "
+        "with locks");
   throw RuntimeError(path + ": another icebow run is working on this study (" +
                      (holder.empty() ? std::string("holder unknown") : holder) +
                      "); wait for it, stop it, or choose another directory");

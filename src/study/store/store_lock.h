@@ -9,7 +9,7 @@ namespace icebow {
 // however it ends. SQLite's own exclusive mode would shut out readers.
 class StoreLock {
  public:
-  // Throws RuntimeError naming the holder where another process has it.
+  // Throws RuntimeError naming the holder where another process has it, and where there are no locks.
   explicit StoreLock(const std::string& path);
   ~StoreLock();
   StoreLock(const StoreLock&) = delete;

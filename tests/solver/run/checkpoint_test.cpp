@@ -277,6 +277,91 @@ TEST_CASE("a file that is cut short is refused and stays as it is") {
   }
 }
 
+namespace {
+
+void replace_file(const std::string& path, const std::string& content) {
+  test_world().barrier();
+  if (test_world().is_root()) write_text_file(path, content);
+  test_world().barrier();
+}
+
+}  // namespace
+
+TEST_CASE("a bit flipped or a block zeroed anywhere in a checkpoint is told, or changes nothing") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  s.advance = 0.05;
+  files.options.snapshots = files.options.pictures = 0;
+  const std::string& path = files.options.checkpoint_file;
+  REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
+  const std::string whole = read_text_file(path);
+  const History expected = simulate(world, tiny_hull(), s, {}).history;
+  int told = 0;
+  for (int k = 0; k < 24; ++k) {
+    std::string content = whole;
+    const std::size_t at = (whole.size() * static_cast<std::size_t>(k) + 41) / 24;
+    if (k % 3 == 0) {
+      content.replace(at, 512, std::string(std::min<std::size_t>(512, content.size() - at), '\0'));
+    } else {
+      content[at] = static_cast<char>(content[at] ^ (1 << (k % 8)));
+    }
+    replace_file(path, content);
+    try {
+      check_same_record(simulate(world, tiny_hull(), s, files.options).history, expected);
+    } catch (const RuntimeError& error) {
+      ++told;
+      CHECK_THAT(error.what(), Catch::Contains(path));
+    }
+  }
+  CHECK(told > 12);  // the others fell where nothing is kept
+}
+
+TEST_CASE("a damaged checkpoint is set aside with a word where the run may start anew") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  s.advance = 0.05;
+  const std::string& path = files.options.checkpoint_file;
+  REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
+  const std::string whole = read_text_file(path);
+  const History expected = simulate(world, tiny_hull(), s, {}).history;
+  files.options.resume = Resume::if_usable;
+  std::string note;
+  files.options.on_note = [&](const std::string& words) { note = words; };
+  // Cut off, and in the middle of the ice, which is met when a part has been read.
+  for (const std::size_t at : {std::size_t{0}, whole.size() / 2, whole.size() / 3}) {
+    std::string content = whole;
+    content.replace(at, 4096, std::string(4096, 'x'));
+    replace_file(path, content);
+    note.clear();
+    const RunResult result = simulate(world, tiny_hull(), s, files.options);
+    CHECK(result.status == RunStatus::ok);
+    check_same_record(result.history, expected);
+    if (world.is_root()) {
+      CHECK_THAT(note, Catch::Contains("damaged") && Catch::Contains(path + ".damaged"));
+      CHECK(read_text_file(path + ".damaged") == content);
+    }
+  }
+}
+
+TEST_CASE("the share of linear ice is that of the whole run, on any ranks and after an interruption") {
+  const Communicator& world = test_world();
+  Files files(world);
+  files.options.snapshots = files.options.pictures = 0;
+  const Scenario s = slow();
+  const double expected = simulate(Communicator::serial(), tiny_hull(), s, {}).linear_share;
+  CHECK(simulate(world, tiny_hull(), s, {}).linear_share == expected);
+  RunOptions until = files.options;
+  until.checkpoint_every_s = 0.02;
+  int asked = 0;
+  until.stop = [&] { return ++asked > 1; };
+  if (simulate(world, tiny_hull(), s, until).status != RunStatus::interrupted) return;  // a fast machine
+  CHECK(simulate(world, tiny_hull(), s, files.options).linear_share == expected);
+  CHECK(expected > 0.0);
+  CHECK(expected < 1.0);
+}
+
 TEST_CASE("lists and texts come back on every rank, empty ones too") {
   const Communicator& world = test_world();
   const TestFolder folder(world, "parallel_file");

@@ -194,3 +194,15 @@ TEST_CASE("what cannot be run is refused in words") {
   s.numerics.dx = 0.2;
   CHECK_THROWS_AS(simulate(test_world(), tiny_hull(), s, {}), InputError);
 }
+
+TEST_CASE("a run that never touches the ice has failed, and says how far away it was") {
+  const Communicator& world = test_world();
+  Scenario s = tiny_run(1.28, 0.2);
+  s.advance = 0.001;
+  s.steady_from = 0.0;
+  const RunResult result = simulate(world, tiny_hull(), s, {});
+  CHECK(result.status == RunStatus::failed);
+  CHECK_THAT(result.reason, Catch::Contains("never touched the ice") &&
+                                Catch::Contains("m from the nearest ice") &&
+                                Catch::Contains("/operation/advance_m"));
+}

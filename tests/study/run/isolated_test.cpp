@@ -157,3 +157,30 @@ TEST_CASE("designs of several ranks run under mpirun") {
   CHECK(of(observer, "ranks").result.at("ranks") == 2);
   CHECK_THAT(of(observer, "crash").reason, Catch::Contains("signal 6") && Catch::EndsWith("about to crash"));
 }
+
+TEST_CASE("what the machine does to a design ends the study in words, and is not the design's failure") {
+  for (const char* name : {"disk full", "killed twice"}) {
+    for (const int ranks : {1, 2}) {
+      CAPTURE(name, ranks);
+      const TemporaryDirectory directory;
+      StudySpec spec = fake_study(designs({name}));
+      spec.execution.ranks_per_design = ranks;
+      RecordingObserver observer;
+      RunSettings settings = isolated(directory / "s");
+      settings.jobs = 1;
+      CHECK_THROWS_WITH(run_study(Communicator::serial(), spec, settings, observer),
+                        Catch::StartsWith(name) && Catch::Contains("the same command goes on") &&
+                            Catch::Contains(name == std::string("disk full") ? "No space left" : "signal 9"));
+      const auto rows = Store::open_read_only(directory / "s/results.sqlite").everything();
+      REQUIRE(rows.size() == 1);
+      CHECK(rows[0].name == "baseline");
+    }
+  }
+}
+
+TEST_CASE("a design whose process somebody kills goes on by itself, once") {
+  const TemporaryDirectory directory;
+  RecordingObserver observer;
+  const StudySpec spec = fake_study(designs({"killed once"}));
+  CHECK(run_study(Communicator::serial(), spec, isolated(directory / "s"), observer).ok == 2);
+}

@@ -1,10 +1,13 @@
 #include "study/run/run_study.h"
 
 #include <signal.h>
+
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <set>
 
@@ -40,27 +43,38 @@ Json ranking_of(const std::string& directory) {
   return to_json(rank_designs(store.all(), store.fact("rank_by")));
 }
 
-// An evaluator that ends its process, as a kill would, when it has finished `n` designs.
-EvaluateFunction killed_after(int n) {
-  return [n, count = 0](const Communicator& comm, const Design& d, const EvaluateOptions& o) mutable {
-    if (count++ == n) kill(getpid(), SIGKILL);
+// An evaluator that ends its process, as a kill would, or a fault of its own, when it has finished `n`
+// designs.
+EvaluateFunction killed_after(int n, int signal) {
+  return [n, signal, count = 0](const Communicator& comm, const Design& d, const EvaluateOptions& o) mutable {
+    if (count++ == n) kill(getpid(), signal);
     return fake_evaluate(comm, d, o);
   };
 }
 
 // In a process of its own. True where it was killed.
-bool killed(const StudySpec& spec, const std::string& directory, int after) {
+bool killed(const StudySpec& spec, const std::string& directory, int after, int signal = SIGKILL) {
   const pid_t child = fork();
   if (child == 0) {
+    std::signal(signal, SIG_DFL);  // Catch's handlers would report it
     RecordingObserver observer;
     RunSettings settings = fake_settings(directory);
-    settings.evaluate = killed_after(after);
+    settings.evaluate = killed_after(after, signal);
     run(spec, settings, observer);
     _exit(0);
   }
   int status = 0;
   waitpid(child, &status, 0);
   return WIFSIGNALED(status);
+}
+
+// As a flipped bit, or somebody else, would.
+void change_store(const std::string& directory, const std::string& sql) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open((directory + "/results.sqlite").c_str(), &database) == SQLITE_OK);
+  CHECK(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+  CHECK(sqlite3_changes(database) > 0);
+  sqlite3_close(database);
 }
 
 }  // namespace
@@ -122,17 +136,43 @@ TEST_CASE("a killed study goes on where it was, to the same end as an uninterrup
   }
 }
 
-TEST_CASE("a design that ended the program twice is given up, and only it") {
+TEST_CASE("a design under way is not blamed for who kills the job, however often") {
   const TemporaryDirectory directory;
   const StudySpec spec = fake_study(grid_3_by_2);
-  REQUIRE(killed(spec, directory / "s", 2));  // baseline, d001 done; d002 was running
-  REQUIRE(killed(spec, directory / "s", 0));  // d002 again
+  REQUIRE(killed(spec, directory / "s", 2));
+  for (int k = 0; k < 4; ++k) REQUIRE(killed(spec, directory / "s", 0));
+  const StudyOutcome outcome = run(spec, directory / "s");
+  CHECK(outcome.failed == 0);
+  CHECK(outcome.ok == 5);
+}
+
+TEST_CASE("a design that crashed the program twice is given up, and only it") {
+  const TemporaryDirectory directory;
+  const StudySpec spec = fake_study(grid_3_by_2);
+  REQUIRE(killed(spec, directory / "s", 2, SIGSEGV));  // baseline, d001 done; d002 was running
+  REQUIRE(killed(spec, directory / "s", 0, SIGKILL));  // d002 again, by somebody else: not counted
+  {
+    RunSettings interrupted = fake_settings(directory / "s");  // nor is the one crash again
+    interrupted.stop = [] { return true; };
+    RecordingObserver observer;
+    CHECK(run(spec, interrupted, observer).interrupted);
+  }
+  REQUIRE(killed(spec, directory / "s", 0, SIGABRT));  // d002 once more
+  {
+    RunSettings settings = fake_settings(directory / "once");
+    CHECK(killed(spec, directory / "once", 2, SIGSEGV));
+    CHECK(killed(spec, directory / "once", 0, SIGFPE));
+    settings.retry_failed = true;  // is heard in the very run that would give it up
+    RecordingObserver at_once;
+    CHECK(run(spec, settings, at_once).failed == 0);
+    CHECK(at_once.started.front() == "d002");
+  }
   RecordingObserver observer;
   const StudyOutcome outcome = run(spec, fake_settings(directory / "s"), observer);
   CHECK(outcome.failed == 1);
   CHECK(outcome.ok == 4);
   CHECK(observer.recalled == std::vector<std::string>{"baseline", "d001", "d002"});
-  CHECK_THAT(observer.finished[2].reason, Catch::Contains("crashed twice"));
+  CHECK_THAT(observer.finished[2].reason, Catch::Contains("crashed twice") && Catch::Contains("signal 6"));
   RunSettings settings = fake_settings(directory / "s");
   settings.retry_failed = true;
   RecordingObserver again;
@@ -335,4 +375,79 @@ TEST_CASE("a directory is emptied for a design, but for what an interrupted simu
   std::filesystem::remove(design + "/checkpoint.h5");
   clear_design_directory(study, "one");
   CHECK(files().empty());
+}
+
+TEST_CASE("a damaged row is one design without a result, evaluated again where that is asked for") {
+  const TemporaryDirectory directory;
+  const StudySpec spec = fake_study(grid_3_by_2);
+  run(spec, directory / "s");
+  const Json before = ranking_of(directory / "s");
+  change_store(directory / "s",
+               "UPDATE evaluations SET result = replace(result, '1000.0', '1001.0') WHERE name = 'd001'");
+  const Json damaged = ranking_of(directory / "s");
+  CHECK(damaged.at("designs").size() == before.at("designs").size());
+  CHECK(damaged.at("designs").at(0).at("design") != "d001");
+  RecordingObserver second, third;
+  const StudyOutcome outcome = run(spec, fake_settings(directory / "s"), second);
+  CHECK(second.started.empty());
+  CHECK(outcome.failed == 1);
+  REQUIRE(outcome.notes.size() == 1);
+  CHECK_THAT(outcome.notes[0], Catch::StartsWith("d001: its row in results.sqlite is damaged") &&
+                                   Catch::Contains("--retry-failed"));
+  RunSettings settings = fake_settings(directory / "s");
+  settings.retry_failed = true;
+  CHECK(run(spec, settings, third).failed == 0);
+  CHECK(third.started == std::vector<std::string>{"d001"});
+  CHECK(ranking_of(directory / "s") == before);
+}
+
+TEST_CASE("an optimiser evaluates a damaged row again, for its next points depend on it") {
+  const TemporaryDirectory directory;
+  const StudySpec spec = fake_study(optimisation);
+  run(spec, directory / "s");
+  const Json before = ranking_of(directory / "s");
+  change_store(directory / "s", "UPDATE evaluations SET reason = 'x' WHERE name IN ('d002', 'd005')");
+  RecordingObserver observer;
+  run(spec, fake_settings(directory / "s"), observer);
+  CHECK(observer.started == std::vector<std::string>{"d002", "d005"});
+  CHECK(ranking_of(directory / "s") == before);
+}
+
+TEST_CASE("a row whose key or name is damaged is told, and does not take a good one's place") {
+  for (const char* change :
+       {"key = 'f' || substr(key, 2)", "name = 'd009'", "name = '../../etc'", "status = 'failed'",
+        "wall_seconds = 7", "parameters = '{}'", "result = '[[['", "digest = NULL"}) {
+    CAPTURE(change);
+    const TemporaryDirectory directory;
+    const StudySpec spec = fake_study(grid_3_by_2);
+    run(spec, directory / "s");
+    const Json before = ranking_of(directory / "s");
+    change_store(directory / "s", std::string("UPDATE evaluations SET ") + change + " WHERE name = 'd001'");
+    int told = 0;
+    for (const Evaluation& e : Store::open_read_only(directory / "s/results.sqlite").all())
+      told += e.status == EvaluationStatus::damaged;
+    CHECK(told == 1);
+    RunSettings settings = fake_settings(directory / "s");
+    settings.retry_failed = true;
+    RecordingObserver observer;
+    run(spec, settings, observer);
+    CHECK(ranking_of(directory / "s") == before);
+  }
+}
+
+TEST_CASE("what leads out of a study's directory is not followed") {
+  const TemporaryDirectory directory;
+  const StudySpec spec = fake_study();
+  std::filesystem::create_directories(directory / "victim");
+  write_text_file(directory / "victim/checkpoint.h5", "");
+  write_text_file(directory / "victim/precious", "mine");
+  std::filesystem::create_directories(directory / "s/designs");
+  std::filesystem::create_directory_symlink(directory / "victim", directory / "s/designs/baseline");
+  CHECK_THROWS_WITH(run(spec, directory / "s"), Catch::Contains("is a link"));
+  CHECK(read_text_file(directory / "victim/precious") == "mine");
+  std::filesystem::create_directories(directory / "t");
+  std::filesystem::create_directory_symlink(directory / "victim", directory / "t/designs");
+  CHECK_THROWS_WITH(run(spec, directory / "t"), Catch::Contains("is a link"));
+  for (const char* name : {"../victim", "..", "a/b", ""})
+    CHECK_THROWS_AS(design_directory(directory / "s", name), RuntimeError);
 }

@@ -1,5 +1,6 @@
 // Stands in for the icebow program where a study runs its designs in processes of their own. The name of a
 // design says how it is to behave.
+#include <signal.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -20,6 +21,13 @@ Evaluation misbehave(const Communicator& comm, const Design& design, const Evalu
   }
   if (name == "exit") throw std::runtime_error("a message");
   if (name == "silent") _exit(0);
+  if (name == "disk full") throw RuntimeError("cannot write history.csv: No space left on device");
+  if (name.rfind("killed", 0) == 0) {
+    const std::string mark = options.directory + "/../killed_before";
+    const bool again = std::filesystem::exists(mark);
+    write_text_file(mark, "");
+    if (!again || name == "killed twice") kill(getpid(), SIGKILL);
+  }
   if (name == "chatty") std::cout << "a library says hello" << std::endl;
   if (name == "pid") write_text_file(options.directory + "/pid.txt", std::to_string(getpid()));
   if (name == "pid" || name.rfind("hang", 0) == 0) {

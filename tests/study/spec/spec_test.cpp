@@ -1,10 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 
 #include "base/errors.h"
 #include "base/units.h"
 #include "hullgen/bow/family.h"
 #include "study/evaluate/evaluator_inputs.h"
+#include "study/plan/design_space.h"
+#include "study/spec/design_name.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
@@ -354,4 +357,53 @@ TEST_CASE("the nearest word is found, and none where nothing is near") {
   CHECK(nearest("stem_dge", {"flare_deg", "stem_deg"}) == "stem_deg");
   CHECK(nearest("beam", {"depth_m", "beam_m"}) == "beam_m");
   CHECK(nearest("zzzzzz", {"flare_deg", "stem_deg"}).empty());
+}
+
+TEST_CASE("null drops a key that exists; one that does not is a mistake like any other") {
+  const auto set = [](const std::string& patch) {
+    return with(R"({"designs": [{"name": "a", "set": )" + patch + "}]}");
+  };
+  CHECK(mistakes_of(set(R"({"ice": {"friction": null, "scale": null}, "sheet": null})")).empty());
+  const Mistake m = only_mistake(set(R"({"ice": {"frictoin": null}})"));
+  CHECK(m.pointer == "/designs/0/set/ice/frictoin");
+  CHECK_THAT(m.message, Catch::Contains("did you mean \"friction\""));
+  CHECK(only_mistake(set(R"({"water": {"scale": null}})")).pointer == "/designs/0/set/water/scale");
+}
+
+TEST_CASE("names of designs fit into a directory, with what the program adds to them") {
+  const auto letters = [](int n, const std::string& letter) {
+    std::string name;
+    for (int k = 0; k < n; ++k) name += letter;
+    return name;
+  };
+  CHECK(is_design_name(letters(64, "a")));
+  CHECK(is_design_name(letters(64, "\u00e9")));
+  CHECK(is_design_name(letters(50, "\U0001F6A2")));
+  CHECK_FALSE(is_design_name(letters(51, "\U0001F6A2")));
+  CHECK_FALSE(is_design_name(letters(64, "\U0001F6A2")));
+  CHECK_FALSE(is_design_name("a\u202eb"));
+  for (const char* name : {"baseline", "d001", "d1#2", "Steep stem~0a1b2c3d", "a#12~0a1b2c3d"})
+    CHECK(is_stored_name(name));
+  for (const char* name : {"", ".", "..", "../x", "a/b", "/etc", ".hidden", "a~b/../..", "a\n", "a\x1b[2J"})
+    CHECK_FALSE(is_stored_name(name));
+}
+
+TEST_CASE("reading designs costs in proportion to their number, and a long wrong word next to nothing") {
+  const auto seconds = [](int designs) {
+    Json document = minimal();
+    for (int k = 0; k < designs; ++k)
+      document["designs"].push_back(
+          {{"name", "x" + std::to_string(k)}, {"set", {{"bow", {{"stem_deg", 20 + 1e-3 * k}}}}}});
+    const std::clock_t begin = std::clock();
+    CHECK(plan_study(read_study(document, "t.json")).designs.size() == static_cast<std::size_t>(designs) + 1);
+    return double(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  seconds(50);
+  CHECK(seconds(800) <
+        20 * std::max(0.01, seconds(100)));  // 8 where it is linear, 64 where every pair is looked at
+  const std::string word(1000000, 'x');
+  const std::clock_t begin = std::clock();
+  CHECK(mistakes_of(with("{\"bow\": {\"" + word + "\": 1}, \"" + word + "\": 2}")).size() == 2);
+  CHECK(double(std::clock() - begin) / CLOCKS_PER_SEC <
+        2.0);  // a hundredth of a second; over 30 s by tables of distances
 }

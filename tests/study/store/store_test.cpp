@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <thread>
 
@@ -204,4 +205,113 @@ TEST_CASE("a killed writer loses nothing it has acknowledged") {
     }
     CHECK(keys >= 12);
   }
+}
+
+namespace {
+
+void change(const std::string& path, const std::string& sql) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open(path.c_str(), &database) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(database);
+}
+
+std::string message_of_reading(const std::string& path) {
+  try {
+    const Store store = Store::open_read_only(path);
+    store.all();
+    store.fact("rank_by");
+  } catch (const RuntimeError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("the list of designs and the facts carry digests too") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  {
+    Store store = Store::open(path);
+    store.put(sample("a"));
+    store.begin_study({"a", "b"});
+    store.set_fact("rank_by", "mean_load");
+  }
+  CHECK(message_of_reading(path).empty());
+  change(path, "UPDATE facts SET value = 'mean_lobd'");
+  CHECK_THAT(message_of_reading(path), Catch::Contains("rank_by") && Catch::Contains("command again"));
+  { Store::open(path).set_fact("rank_by", "mean_load"); }
+  change(path, "UPDATE study SET key = 'c' WHERE key = 'a'");
+  CHECK_THAT(message_of_reading(path), Catch::Contains("list of the study's designs is damaged"));
+  { Store::open(path).begin_study({"a", "b"}); }
+  CHECK(message_of_reading(path).empty());
+}
+
+TEST_CASE("a store without digests is read, and given them when it is written to") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  {
+    Store store = Store::open(path);
+    store.put(sample("a"));
+    store.begin_study({"a"});
+    store.set_fact("rank_by", "mean_load");
+  }
+  change(path,
+         "ALTER TABLE evaluations DROP COLUMN digest; ALTER TABLE study DROP COLUMN digest;"
+         "ALTER TABLE facts DROP COLUMN digest; PRAGMA user_version = 1");
+  CHECK(message_of_reading(path).empty());
+  CHECK(Store::open_read_only(path).all().at(0).status == EvaluationStatus::ok);
+  { Store::open(path); }
+  CHECK(Store::open_read_only(path).all().at(0).status == EvaluationStatus::ok);
+  change(path, "UPDATE evaluations SET reason = 'x'");
+  CHECK(Store::open_read_only(path).all().at(0).status == EvaluationStatus::damaged);
+}
+
+TEST_CASE("a bit flipped anywhere in a store is told, or changes nothing") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite", copy = directory / "c.sqlite";
+  {
+    Store store = Store::open(path);
+    for (const char* key : {"a", "b", "c"}) store.put(sample(key));
+    store.begin_study({"c", "a", "b"});
+    store.set_fact("rank_by", "mean_load");
+  }
+  const auto seen = [](const std::string& file) {
+    const Store store = Store::open_read_only(file);
+    std::string text = store.fact("rank_by");
+    for (const Evaluation& e : store.all()) {
+      if (e.status == EvaluationStatus::damaged) throw RuntimeError("told");
+      text += json_text(to_json(e));
+    }
+    return text;
+  };
+  const std::string whole = read_text_file(path), expected = seen(path);
+  int told = 0, unchanged = 0, believed = 0;
+  for (std::size_t at = 0; at < whole.size(); at += 37) {  // every byte of some, prime to the pages
+    std::string text = whole;
+    text[at] = static_cast<char>(text[at] ^ (1 << (at % 8)));
+    std::ofstream(copy, std::ios::binary | std::ios::trunc) << text;
+    try {
+      ++(seen(copy) == expected ? unchanged : believed);
+    } catch (const RuntimeError&) {
+      ++told;
+    }
+  }
+  CHECK(believed == 0);
+  CHECK(told > 20);
+  CHECK(unchanged > 20);  // in parts of pages that hold nothing
+}
+
+TEST_CASE("a reader does not wait long for a store that somebody holds locked") {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "r.sqlite";
+  { Store::open(path).put(sample("a")); }
+  sqlite3* holder = nullptr;
+  REQUIRE(sqlite3_open(path.c_str(), &holder) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(holder, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr) == SQLITE_OK);
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK_THAT(message_of_reading(path), Catch::Contains("holds it locked"));
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(8));  // 2 s, on a busy machine more
+  sqlite3_close(holder);
 }

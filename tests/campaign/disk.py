@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+"""Every file that the program writes, on a disk that is full (ENOSPC), over a quota (EDQUOT, EFBIG) or broken (EIO), at
+the first, the second and the last byte. A study must stop with a sentence, no design may be called a failure, and the
+same command must go on to the same result once the disk is well. Then places that do not suit: read-only, foreign,
+removed and unlocked directories, no HOME, TMPDIR or cache, a clock set back, no mpirun, few files, little memory."""
+import errno
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import time
+
+import common
+
+ERRORS = {"ENOSPC": errno.ENOSPC, "EDQUOT": errno.EDQUOT, "EIO": errno.EIO, "EFBIG": errno.EFBIG}
+# What a study goes on without: words for a message, logs of a child, a cache.
+OPTIONAL = ("results.sqlite.lock", "log.txt", "cache")
+OF_A_STUDY = ("study.json", "results.sqlite", "results.sqlite-wal", "design.json", "hull.obj", "lines.svg",
+              "history.csv", "ice_000.png", "ice_0000", "ice.pvd", "hull_0000", "hull.pvd", "checkpoint.h5",
+              "result.json", "evaluation.json", "ranking.csv", "ranking.md", "report.html", *OPTIONAL[:2])
+OF_A_HULL = ("hull.obj", "hull.stl", "hull.ply", "hull.vtp", "hull.svg", "hull.pdf", "hull.step", "hull.igs")
+OFTEN = {"ICEBOW_CHECKPOINT_SECONDS": "0.05"}
+
+
+def shim(place):
+    library = place.path / "fault.so"
+    subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", library, common.HERE / "fault.c", "-ldl"], check=True)
+    return str(library)
+
+
+def sizes_of(directory):
+    """The last byte of each file of a study that ended well."""
+    sizes = {}
+    for file in pathlib.Path(directory).rglob("*"):
+        if file.is_file():
+            sizes[file.name] = max(sizes.get(file.name, 0), file.stat().st_size)
+    return sizes
+
+
+def size_of(name, sizes):
+    return max([size for file, size in sizes.items() if file.startswith(name)] or [4096])
+
+
+class Campaign:
+    def __init__(self, place, short):
+        self.place, self.short, self.faults, self.counts = place, short, [], {}
+        self.library = shim(place)
+
+    def note(self, what, words):
+        self.faults.append(f"{what}: {words}")
+
+    def failing(self, name, error, most):
+        return {**OFTEN, "LD_PRELOAD": self.library, "ICEBOW_FAULT": f"{name} {error} {most}"}
+
+    def positions(self, size):
+        return (0,) if self.short else (0, 1, max(2, size - 1))
+
+    def study(self, ranks):
+        place = self.place
+        path = place.write("study.json", common.study(output={"pictures": 1, "snapshots": 1}))
+        whole = place.path / f"whole{ranks}"
+        place.run("run", path, "--out", whole, ranks=ranks, extra=OFTEN)
+        expected, sizes = common.outcome_of(place, whole), sizes_of(whole)
+        stopped = went_on = 0
+        for name in OF_A_STUDY[::3] if self.short else OF_A_STUDY:
+            for label, error in list(ERRORS.items())[:1 if self.short else None]:
+                for most in self.positions(size_of(name, sizes)):
+                    fell = self.one_study(path, name, label, error, most, ranks, expected)
+                    stopped, went_on = stopped + fell, went_on + (not fell)
+        print(f"study, {ranks or 1} ranks: {stopped} stopped by the disk and resumed, {went_on} not touched by it",
+              flush=True)
+
+    def one_study(self, path, name, label, error, most, ranks, expected):
+        place, out, what = self.place, self.place.path / "out", f"{name}, {label} after {most} bytes, {ranks} ranks"
+        shutil.rmtree(out, ignore_errors=True)
+        result = place.run("run", path, "--out", out, ranks=ranks, extra=self.failing(name, error, most))
+        fell = result.returncode != 0
+        if fell and (result.returncode not in (1, 2) or not common.is_one_sentence(result.stderr)):
+            self.note(what, f"exit {result.returncode}: {result.stderr[-400:]}")
+        again = place.run("run", path, "--out", out, ranks=ranks)
+        if again.returncode != 0:
+            self.note(what, f"does not go on: exit {again.returncode}: {again.stderr[-400:]}")
+        elif common.outcome_of(place, out) != expected:
+            self.note(what, "goes on to another result")
+        return fell
+
+    def hulls(self):
+        told = 0
+        study = common.ROOT / "tests/cli/tiny.json"
+        for name in OF_A_HULL[::3] if self.short else OF_A_HULL:
+            file = self.place.path / name
+            if self.place.run("hull", study, "--out", file).returncode == 2:
+                continue  # built without that format
+            size = file.stat().st_size
+            for label, error in list(ERRORS.items())[:1 if self.short else None]:
+                for most in self.positions(size):
+                    file.unlink(missing_ok=True)
+                    result = self.place.run("hull", study, "--out", file, extra=self.failing(name, error, most))
+                    whole = file.exists() and file.stat().st_size >= size - 200
+                    if result.returncode == 1 and common.is_one_sentence(result.stderr) and not whole:
+                        told += 1
+                    elif not (result.returncode == 0 and whole):
+                        self.note(f"{name}, {label} after {most}",
+                                  f"exit {result.returncode}: {result.stderr[-300:]}")
+        print(f"hull files: {told} failures told", flush=True)
+
+    def two_runs(self, path):
+        """Where flock(2) is not known, a second run is refused all the same."""
+        out, without = self.place.path / "unlocked", {"LD_PRELOAD": self.library, "ICEBOW_FAULT": "flock 38 0"}
+        process = self.place.start("run", path, "--out", out, extra=without)
+        while process.poll() is None and not (out / "designs/baseline/log.txt").exists():
+            time.sleep(0.01)
+        self.expect("a second run where flock fails", (1,), self.place.run("run", path, "--out", out, extra=without),
+                    "another icebow run")
+        _, err = process.communicate(timeout=120)
+        self.expect("a run where flock fails", (0,), subprocess.CompletedProcess((), process.returncode, "", err))
+
+    def expect(self, what, codes, result, word=""):
+        if result.returncode not in codes or (word and word not in result.stderr + result.stdout) or (
+                result.returncode and not common.is_one_sentence(result.stderr)):
+            self.note(what, f"exit {result.returncode}: {result.stderr[-400:]}")
+
+    def places(self):
+        place = self.place
+        path = place.write("p.json", common.study(evaluators=["lindqvist"], ranking={"by": "lindqvist_breaking"}))
+        simulated = place.write("sim.json", common.study(designs=[]))
+        good = place.path / "good"
+        place.run("run", path, "--out", good)
+        expected = place.run("rank", good, "--json").stdout
+        checks = 0
+
+        def run_in(directory, **more):
+            return place.run("run", path, "--out", directory, **more)
+
+        # Where root may write anywhere, what no one may write stands for a read-only directory.
+        self.expect("a directory that cannot be written", (1,), run_in("/proc/1/icebow"), "/proc/1")
+        self.expect("a file in the place of a directory", (1,), run_in(path))
+        foreign = place.path / "foreign"
+        foreign.mkdir()
+        (foreign / "study.json").write_text("mine")
+        self.expect("a directory of somebody else's", (2,), run_in(foreign), "study.json")
+        (foreign / "results.sqlite").write_text("mine" * 1000)
+        self.expect("a store of somebody else's", (1,), run_in(foreign), "results.sqlite")
+        self.two_runs(simulated)
+        for gone in ("HOME", "TMPDIR", "XDG_CACHE_HOME"):
+            self.expect(f"{gone} is a place that is not there", (0,),
+                        run_in(place.path / f"no_{gone}", extra={gone: "/no/such/place"}))
+        self.expect("no mpirun", (1,), place.run(
+            "run", place.write("two.json", common.study(designs=[], execution={"ranks_per_design": 2})), "--out",
+            place.path / "no_mpirun", extra={"PATH": "/no/such/place"}), "mpirun")
+        checks += 9
+        process = place.start("run", simulated, "--out", place.path / "removed")
+        while process.poll() is None and not (place.path / "removed/designs/baseline/log.txt").exists():
+            time.sleep(0.01)
+        shutil.rmtree(place.path / "removed", ignore_errors=True)
+        _, err = process.communicate(timeout=120)
+        self.expect("a directory removed under way", (0, 1), subprocess.CompletedProcess((), process.returncode, "", err))
+
+        def limited(kind, value):
+            return lambda: resource.setrlimit(kind, (value, value))
+
+        self.expect("few file handles", (0, 1), run_in(place.path / "few", preexec_fn=limited(resource.RLIMIT_NOFILE, 12)))
+        self.expect("little memory", (0, 1), place.run(
+            "simulate", simulated, "--out", place.path / "little", preexec_fn=limited(resource.RLIMIT_AS, 700 << 20)))
+        for most in (0, 1, 100, 5000, 100000):
+            out = place.path / f"limit{most}"
+            result = run_in(out, preexec_fn=limited(resource.RLIMIT_FSIZE, most))
+            self.expect(f"ulimit -f of {most} bytes", (0, 1, 2), result)
+            again = run_in(out)
+            self.expect(f"after a ulimit -f of {most} bytes", (0,), again)
+            if place.run("rank", out, "--json").stdout != expected:
+                self.note(f"after a ulimit -f of {most} bytes", "another ranking")
+        for file in good.rglob("*"):
+            os.utime(file, (2 ** 31 - 1, 2 ** 31 - 1))  # as after a clock that was set back
+        self.expect("files from the future", (0,), run_in(good))
+        if place.run("rank", good, "--json").stdout != expected:
+            self.note("files from the future", "another ranking")
+        print(f"places and limits: {checks + 14} tried", flush=True)
+
+
+def main():
+    chosen = common.options(__doc__)
+    with common.Place(chosen.program) as place:
+        campaign = Campaign(place, chosen.short)
+        campaign.places()
+        campaign.hulls()
+        campaign.study(0)
+        if not chosen.short:
+            campaign.study(2)
+    print(f"{len(campaign.faults)} faults", *campaign.faults, sep="\n")
+    return 1 if campaign.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
