@@ -31,6 +31,9 @@ def options(description, **defaults):
     return chosen
 
 
+SLOW = {"layers": 2, "time_step_fraction": 0.15}  # a run of some seconds, for what must be caught under way
+
+
 def study(**patch):
     document = json.loads((ROOT / "tests/cli/tiny.json").read_text())
     document["output"] = {"pictures": 1, "snapshots": 1}

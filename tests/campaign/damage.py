@@ -41,7 +41,7 @@ def interrupted(place, words, checkpoint):
 
 def checkpoints(place, counts, dice):
     """Of `simulate`, whose word is final, and of `run`, which sets a damaged one aside."""
-    path = place.write("study.json", common.study(designs=[]))
+    path = place.write("study.json", common.study(designs=[], solver=common.SLOW))
     place.run("simulate", path, "--out", place.path / "whole")
     whole = (place.path / "whole/history.csv").read_bytes()
     good = place.path / "good"
@@ -68,7 +68,7 @@ def checkpoints(place, counts, dice):
 
 def set_aside(place, count, dice):
     """A study under way is killed, its checkpoint damaged: the design starts anew, with a word."""
-    path = place.write("study.json", common.study(designs=[]))
+    path = place.write("study.json", common.study(designs=[], solver=common.SLOW))
     place.run("run", path, "--out", place.path / "r_whole")
     expected = common.rows_of(place.path / "r_whole")
     faults = words = 0
@@ -126,7 +126,7 @@ def stores(place, counts, dice):
 
 def files(place, count, dice):
     """What `report` reads besides the store."""
-    path = place.write("study.json", common.study(designs=[]))
+    path = place.write("study.json", common.study(designs=[], solver=common.SLOW))
     out = place.path / "f"
     place.run("run", path, "--out", out)
     design = out / "designs/baseline"

@@ -147,7 +147,7 @@ class Simulate(ProgramTest):
             self.assertEqual((out / name).read_bytes(), (self.directory / "straight" / name).read_bytes())
         checkpoint.write_bytes(b"not HDF5")
         self.assertIn("not a whole checkpoint", self.expect(1, *words, out).stderr)
-        short = ("--set", "/operation/advance_m=2")
+        short = ("--set", "/operation/advance_m=4")
         self.assertNotIn("continues", self.expect(0, *words, out, *short, "--restart").stderr)
 
 

@@ -72,7 +72,11 @@ class Check(ProgramTest):
     def test_the_shipped_studies_have_no_mistakes(self):
         for study in sorted(STUDIES.glob("*.json")):
             with self.subTest(study.name):
-                self.assertNotIn("infeasible", self.expect(0, "check", study).stdout)
+                said = self.expect(0, "check", study).stdout
+                designs = int(re.search(r"^designs: (\d+)", said, re.M).group(1))
+                # A hypercube over angles has points that are no hull; named designs all are one.
+                allowed = 0.4 * designs if "latin_hypercube" in study.read_text() else 0
+                self.assertLessEqual(said.count("(infeasible"), allowed)
 
     def test_every_mistake_is_listed_by_pointer(self):
         result = self.expect(2, "check", TINY, "--set", "/bow/stem_deg=95", "--set", "/ice/frction=0.1",

@@ -198,7 +198,7 @@ TEST_CASE("what cannot be run is refused in words") {
 TEST_CASE("a run that never touches the ice has failed, and says how far away it was") {
   const Communicator& world = test_world();
   Scenario s = tiny_run(1.28, 0.2);
-  s.advance = 0.001;
+  s.advance = 0.01;  // some samples, and less than half a spacing
   s.steady_from = 0.0;
   const RunResult result = simulate(world, tiny_hull(), s, {});
   CHECK(result.status == RunStatus::failed);

@@ -32,7 +32,7 @@ const std::vector<Segment> wedge = {{{0.0, 0.0}, {-1.0, 1.0}},
                                     {{-1.0, -1.0}, {0.0, 0.0}}};
 
 // A column cracked at an advance, by a crack in this direction to the course.
-CrackedColumn cracked(std::int64_t i, std::int64_t j, double opened, double direction) {
+CrackedColumn cracked_column(std::int64_t i, std::int64_t j, double opened, double direction) {
   CrackedColumn c{i, j, opened};
   c.cos2 = 0.6 * std::cos(2.0 * direction + M_PI);
   c.sin2 = 0.6 * std::sin(2.0 * direction + M_PI);
@@ -42,7 +42,7 @@ CrackedColumn cracked(std::int64_t i, std::int64_t j, double opened, double dire
 // Two rows of columns ahead of the stem, which is at the advance's x.
 void crack_ahead(CrackedSheet& sheet, int from, int to, double opened) {
   for (int i = from; i < to; ++i)
-    for (int j : {19, 20}) sheet.columns.push_back(cracked(i, j, opened, 0.0));
+    for (int j : {19, 20}) sheet.columns.push_back(cracked_column(i, j, opened, 0.0));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ TEST_CASE("a crack along the ray from the hull is radial, one across it circumfe
   CrackedSheet sheet = made_up();
   crack_ahead(sheet, 2, 14, 0.0);
   for (int j = 12; j < 28; ++j)
-    for (int i : {30, 31}) sheet.columns.push_back(cracked(i, j, 1.0, 0.5 * M_PI));
+    for (int i : {30, 31}) sheet.columns.push_back(cracked_column(i, j, 1.0, 0.5 * M_PI));
   const Cracks found = find_cracks(sheet, wedge);
   REQUIRE(found.list.size() == 2);
   const Crack &first = found.list[0], &second = found.list[1];
@@ -77,7 +77,7 @@ TEST_CASE("a crack along the ray from the hull is radial, one across it circumfe
 TEST_CASE("beside the ship's flank the ray points sideways") {
   CrackedSheet sheet = made_up();
   // Parallel to the flank, 0.5 m off it, while the ship is 6 m in.
-  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked(i, 34, 6.0, 0.0));
+  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked_column(i, 34, 6.0, 0.0));
   const Cracks found = find_cracks(sheet, wedge);
   REQUIRE(found.list.size() == 1);
   CHECK(found.list[0].kind == CrackKind::circumferential);
@@ -96,10 +96,10 @@ TEST_CASE("a radial crack that runs three characteristic lengths ahead splits th
 TEST_CASE("ice is crushed where its bonds go at once, and secondary where the waterline has passed") {
   CrackedSheet sheet = made_up();
   for (int i = 1; i < 4; ++i) {
-    sheet.columns.push_back(cracked(i, 20, 0.0, 0.0));
+    sheet.columns.push_back(cracked_column(i, 20, 0.0, 0.0));
     sheet.columns.back().crushed = 0.2;
   }
-  for (int i = 5; i < 15; ++i) sheet.columns.push_back(cracked(i, 22, 4.0, 0.0));
+  for (int i = 5; i < 15; ++i) sheet.columns.push_back(cracked_column(i, 22, 4.0, 0.0));
   const Cracks found = find_cracks(sheet, wedge);
   REQUIRE(found.list.size() == 2);
   CHECK(found.list[0].kind == CrackKind::crushed);
@@ -112,7 +112,7 @@ TEST_CASE("ice is crushed where its bonds go at once, and secondary where the wa
 
 TEST_CASE("cracks along a held side are told from those of the ship") {
   CrackedSheet sheet = made_up();
-  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked(i, 36, 6.0, 0.0));
+  for (int i = 20; i < 40; ++i) sheet.columns.push_back(cracked_column(i, 36, 6.0, 0.0));
   REQUIRE(find_cracks(sheet, wedge).list.size() == 1);
   CHECK(breaking_length(find_cracks(sheet, wedge).list).cracks == 1);
   sheet.held_beyond = 1.7;  // that column is at 1.65 m
@@ -124,7 +124,7 @@ TEST_CASE("what opens later beside a crack is another one, and a short one is no
   CrackedSheet sheet = made_up();
   crack_ahead(sheet, 30, 45, 0.0);
   crack_ahead(sheet, 45, 60, 0.5);
-  sheet.columns.push_back(cracked(70, 5, 0.0, 0.0));
+  sheet.columns.push_back(cracked_column(70, 5, 0.0, 0.0));
   const Cracks found = find_cracks(sheet, wedge);
   CHECK(found.list.size() == 2);
   CHECK(found.isolated == 1);
@@ -134,9 +134,9 @@ TEST_CASE("a half model's cracks are those of both sides") {
   CrackedSheet half = made_up(true), whole = made_up();
   for (int j = 6; j < 16; ++j) {
     const double slant = 0.3;
-    half.columns.push_back(cracked(30 + j / 4, j, 0.0, 0.5 * M_PI + slant));
-    whole.columns.push_back(cracked(30 + j / 4, 20 + j, 0.0, 0.5 * M_PI + slant));
-    whole.columns.push_back(cracked(30 + j / 4, 19 - j, 0.0, 0.5 * M_PI - slant));
+    half.columns.push_back(cracked_column(30 + j / 4, j, 0.0, 0.5 * M_PI + slant));
+    whole.columns.push_back(cracked_column(30 + j / 4, 20 + j, 0.0, 0.5 * M_PI + slant));
+    whole.columns.push_back(cracked_column(30 + j / 4, 19 - j, 0.0, 0.5 * M_PI - slant));
   }
   const Cracks a = find_cracks(half, wedge), b = find_cracks(whole, wedge);
   REQUIRE(a.list.size() == 2);

@@ -19,7 +19,7 @@ const std::string mesh_file = STUDIES "/hulls/supply_vessel.obj";
 
 Json document(const std::string& patch = "{}") {
   Json d = Json::parse(R"({"icebow_study": 1, "hull": {"forward": "-x", "draft_m": 6.5, "mirror": true},
-    "ice": {"thickness_m": 1.2}, "sheet": {"length_m": 34, "width_m": 40},
+    "ice": {"model": "paper", "thickness_m": 1.2}, "sheet": {"length_m": 34, "width_m": 40},
     "operation": {"speed_kn": 6, "advance_m": 6, "steady_from_m": 2},
     "solver": {"layers": 1}, "output": {"pictures": 1}})");
   d["hull"]["file"] = mesh_file;
