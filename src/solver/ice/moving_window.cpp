@@ -87,7 +87,7 @@ void IceSheet::shift_bonds(const Communicator& comm) {
     for (int k = 0; k < layout.nz; ++k) {
       std::uint8_t* const row = state(jl, k);
       std::memmove(row - 1, row, blocks + 1);
-      row[blocks - 1] = partition.east < 0 ? calm : east_states[(jl + reach) * layout.nz + k];
+      row[blocks - 1] = partition.east < 0 ? std::uint8_t(calm) : east_states[(jl + reach) * layout.nz + k];
     }
     if (partition.east >= 0) {
       const std::uint16_t* const from = &east_words[(jl + reach) * handed];

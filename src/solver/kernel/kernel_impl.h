@@ -182,9 +182,9 @@ inline void kill(std::uint16_t* words, int per_block, std::uint64_t gone) {
 // count.
 inline void count(const FamilyWord& fw, int b, int blocks, std::uint64_t gone, Broken& broken) {
   const std::uint64_t before = b > 0 ? 0 : 0xffffu, after = b + 1 < blocks ? 0 : std::uint64_t(0xffff) << 32;
-  const int n = __builtin_popcountll(gone & ~(before | after));
-  if (fw.own) broken.own += n;
-  if (fw.image) broken.image += n;
+  if (fw.own) broken.own += __builtin_popcountll(gone & ~(before | after));
+  // The lower end is an image, which no rank works on: the other end's rank counts.
+  if (fw.image) broken.image += __builtin_popcountll(gone);
 }
 
 // Of a block's bonds number n those whose stretch or stress is too high: a bit a particle. The same

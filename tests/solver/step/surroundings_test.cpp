@@ -329,9 +329,11 @@ TEST_CASE("water, ice against ice and damped edges: the same record on any numbe
     const RunResult one = simulate(Communicator::serial(), tiny_hull(), s, {});
     REQUIRE(one.status == RunStatus::ok);
     CHECK(one.history.rows.back().floe_loss != 0.0);
+    INFO("half model " << half);
     check_same(simulate(test_world(), tiny_hull(), s, {}), one);
     if (test_world().size() % 2 != 0) continue;
     s.numerics.ranks_along_x = 2;
+    INFO("two ranks along the course");
     check_same(simulate(test_world(), tiny_hull(), s, {}), one);
   }
 }
