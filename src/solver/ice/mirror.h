@@ -11,5 +11,8 @@ namespace icebow {
 // ghost blocks.
 void mirror_displacements(IceSheet& sheet);
 void mirror_dilatations(IceSheet& sheet);
+// A bond across the plane from the image of an own particle to a particle of a neighbour along the course is
+// nobody's to work on here. It is alive where its own mirror image is, which ends in an own particle.
+void mirror_bonds_beyond_ends(IceSheet& sheet);
 
 }  // namespace icebow

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/units.h"
+#include "solver/ice/mirror.h"
 
 namespace icebow {
 namespace {
@@ -100,7 +101,9 @@ void Stepper::step() {
   ++steps_;
   contacts_ = 0;
   set_hull_box();
-  broken_bonds_ += schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
+  const std::int64_t broke = schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
+  broken_bonds_ += broke;
+  if (broke > 0) mirror_bonds_beyond_ends(sheet_);
   // Before the surroundings: their work is counted by velocities, that of bonds by displacements, and the
   // ledger wants the latter's accelerations alone.
   ledger_.close_step(sheet_);
