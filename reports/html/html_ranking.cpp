@@ -96,7 +96,8 @@ std::string mean_cell(const RankedDesign& row, const LoadUnit& unit) {
   const double model = number_at(result, "/metrics/mean_load_N");
   std::string html =
       with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
-  if (std::isfinite(model))
+  // The breaking cycle sails at full scale: it has no model's load.
+  if (std::isfinite(model) && model != number_at(result, "/metrics/full_scale/mean_load_N"))
     html +=
         "<small>" + with_interval(model, number_at(result, "/metrics/mean_load_ci95_N"), 1) + " N</small>";
   return cell(row.mean_load, html, "num strong");
