@@ -17,8 +17,8 @@ namespace {
 
 constexpr double knot = 0.514444 / 5.0;  // at a scale of 25 [m/s]
 
-// Of ice of 1 m at a scale of 25: its modulus, crushing pressure and speeds. The pressure is above what a
-// rule that stops a particle once a step could bear at these speeds.
+// Of ice of 1 m at a scale of 25: its modulus, crushing pressure and speeds. At low speeds the pressure is
+// above what a rule that stops a particle once a step could bear.
 struct Wall {
   double slope_deg = 90.0, knots = 4.0, step = 0.95;
   int columns = 6;  // of particles, across the wall

@@ -28,7 +28,7 @@ double CrushingLaw::force(double depth, double& crushed) const {
 }
 
 // Stiff enough that what it stores is nothing beside the work of crushing (2 p_c/E of it, some 0.4 %), soft
-// enough that the time step is 4 % shorter for it.
+// enough that the time step is 5 % shorter for it.
 double contact_stiffness(const Scenario& s) {
   const double cube = s.ice.E * s.numerics.dx;
   switch (s.numerics.contact) {
