@@ -6,8 +6,9 @@
 #include <fstream>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "reports/content/inline_svg.h"
-#include "reports/text/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -39,7 +40,7 @@ class DesignFiles {
 
   // The file a result names, in the design's own directory whatever the name says.
   std::string named(const Json& result, const std::string& key, const char* usual) const {
-    const std::string name = text_at(result, "/files/" + key);
+    const std::string name = text_at(result, result_key::file(key));
     return path(name.empty() ? usual : name);
   }
 
@@ -65,7 +66,7 @@ std::string lines_plan(const std::string& file, const std::string& id) {
 
 std::vector<Picture> pictures_of(const DesignFiles& files, const Json& result) {
   std::vector<Picture> pictures;
-  const Json& list = part_at(result, "/files/pictures");
+  const Json& list = part_at(result, result_key::pictures);
   if (!list.is_array()) return pictures;
   for (const Json& entry : list) {
     const std::string file = files.path(text_at(entry, "/file"));
@@ -79,8 +80,8 @@ DesignContent read_design(const StudyResults& study, std::size_t index) {
   const DesignFiles files(study.directory, e.name);
   DesignContent design;
   design.id = "design-" + std::to_string(index + 1);
-  design.lambda = number_at(e.result, "/simulation/lambda");
-  if (!std::isfinite(design.lambda)) design.lambda = number_at(e.result, "/metrics/lambda");
+  design.lambda = number_at(e.result, result_key::lambda);
+  if (!std::isfinite(design.lambda)) design.lambda = number_at(e.result, result_key::metrics_lambda);
   design.waterline = read_waterline(files.named(e.result, "hull", "hull.obj"));
   design.lines_plan = lines_plan(files.named(e.result, "lines_plan", "lines.svg"), design.id);
   const int rank = study.ranking.rows[index].rank;

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/errors.h"
-#include "reports/text/json_fields.h"
+#include "base/json_fields.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
 #include "study/spec/read_study.h"
@@ -44,8 +44,7 @@ void add_plan(StudyResults& study, const std::vector<Evaluation>& evaluations) {
   try {
     const StudyPlan plan = plan_study(read_study(study.document, study.name));
     for (const PlannedDesign& planned : plan.designs)
-      if (planned.mistake.empty() && known.count(planned.key) == 0)
-        study.waiting.push_back(planned.design.name);
+      if (planned.design.given && known.count(planned.key) == 0) study.waiting.push_back(planned.design.name);
     const int proposed = static_cast<int>(evaluations.size()) - static_cast<int>(plan.designs.size());
     study.proposals = std::max(0, plan.proposals - std::max(0, proposed));
   } catch (const std::exception&) {

@@ -1,12 +1,13 @@
 #include <cmath>
 
+#include "base/json_fields.h"
 #include "base/units.h"
 #include "reports/html/html_cycle.h"
 #include "reports/html/html_process.h"
 #include "reports/html/html_sections.h"
 #include "reports/tables/table_report.h"
-#include "reports/text/json_fields.h"
 #include "reports/text/text_format.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -35,14 +36,14 @@ std::string angles_table(const Json& result) {
   const std::pair<const char*, const char*> names[] = {
       {"stem", "Stem"}, {"waterline", "Waterline"}, {"buttock", "Buttock, B/4"}, {"flare", "Flare, B/4"}};
   for (const auto& [key, label] : names) {
-    const double wanted = number_at(result, std::string("/hull/requested_deg/") + key);
-    const double got = number_at(result, std::string("/hull/measured_deg/") + key);
+    const double wanted = number_at(result, result_key::requested_deg(key));
+    const double got = number_at(result, result_key::measured_deg(key));
     if (std::isfinite(wanted) || std::isfinite(got)) rows += row(label, {fixed(wanted, 2), fixed(got, 2)});
   }
   const std::pair<const char*, const char*> derived[] = {{"waterline_at_quarter_beam", "Waterline, B/4"},
                                                          {"flare_at_stem", "Flare at stem"}};
   for (const auto& [key, label] : derived) {
-    const double value = number_at(result, std::string("/hull/derived_deg/") + key);
+    const double value = number_at(result, result_key::derived_deg(key));
     if (std::isfinite(value)) rows += row(label, {"follows", fixed(value, 2)}, "derived");
   }
   return table("Angles, deg", {"requested", "measured"}, rows);
@@ -50,7 +51,7 @@ std::string angles_table(const Json& result) {
 
 // Where a hull that was not generated comes from, and what was mended in its mesh.
 std::string imported_note(const Json& result) {
-  const Json& imported = part_at(result, "/hull/imported");
+  const Json& imported = part_at(result, result_key::imported);
   if (!imported.is_object()) return {};
   std::string html = "<p class=\"note\">Hull imported from " + html_escaped(text_at(imported, "/file"));
   const Json& repairs = part_at(imported, "/repairs");
@@ -59,7 +60,7 @@ std::string imported_note(const Json& result) {
   return html + ".</p>\n";
 }
 
-// Of repeated runs: their mean, with its interval by their scatter and by their own series.
+// The mean of repeated runs, with its interval by their scatter and by their own series.
 std::string repeats_rows(const RankedDesign& ranked, const LoadUnit& unit) {
   if (ranked.runs < 2) return {};
   const auto full = [&](double half) {
@@ -71,58 +72,60 @@ std::string repeats_rows(const RankedDesign& ranked, const LoadUnit& unit) {
 }
 
 std::string loads_table(const Json& result, const RankedDesign& ranked, const LoadUnit& unit) {
-  if (!std::isfinite(number_at(result, "/metrics/mean_load_N"))) return {};
+  if (!std::isfinite(number_at(result, result_key::model_mean_load))) return {};
   std::string rows;
-  const auto add = [&](const char* name, const std::string& key, const std::string& ci_key = "") {
-    const auto at = [&](const char* where, const std::string& k) {
-      return k.empty() ? std::nan("") : number_at(result, where + k);
-    };
-    const double full = at("/metrics/full_scale/", key) / unit.newtons, model = at("/metrics/", key);
+  const auto add = [&](const char* name, const result_key::Load& load) {
+    const auto at = [&](const char* key) { return *key ? number_at(result, key) : std::nan(""); };
+    const double full = at(load.full) / unit.newtons, model = at(load.model);
     if (!std::isfinite(full) && !std::isfinite(model)) return;
-    rows += row(name, {with_interval(full, at("/metrics/full_scale/", ci_key) / unit.newtons, unit.decimals),
-                       with_interval(model, at("/metrics/", ci_key), 1)});
+    rows += row(name, {with_interval(full, at(load.full_ci95) / unit.newtons, unit.decimals),
+                       with_interval(model, at(load.model_ci95), 1)});
   };
-  add("Mean \u00b1 95\u00a0%", "mean_load_N", "mean_load_ci95_N");
-  add("Peak", "max_load_N");
-  add("95\u00a0% quantile", "q95_load_N");
-  add("Standard deviation", "std_load_N");
-  add("Vertical, mean", "vertical_mean_N", "vertical_mean_ci95_N");
+  namespace key = result_key;
+  add("Mean \u00b1 95\u00a0%",
+      {key::mean_load, key::model_mean_load, key::mean_load_ci95, key::model_mean_load_ci95});
+  add("Peak", {key::max_load, key::model_max_load});
+  add("95\u00a0% quantile", {key::q95_load, key::model_q95_load});
+  add("Standard deviation", {key::std_load, key::model_std_load});
+  add("Vertical, mean",
+      {key::vertical_mean, key::model_vertical_mean, key::vertical_mean_ci95, key::model_vertical_mean_ci95});
   rows += repeats_rows(ranked, unit);
-  const std::string bias = text_at(result, "/metrics/resolution_bias/sentence");
+  const std::string bias = text_at(result, result_key::bias_sentence);
   const std::string note = bias.empty() ? "" : "<p class=\"note\">" + html_escaped(bias) + ".</p>\n";
   return "<div>" + table("Simulated ice load", {"full scale, " + unit.name, "model, N"}, rows) + note +
          "</div>";
 }
 
 std::string lindqvist_table(const Json& result, const RankedDesign& ranked, const LoadUnit& unit) {
-  const Json& part = part_at(result, "/lindqvist");
+  const Json& part = part_at(result, result_key::lindqvist);
   if (part.is_null()) return {};
-  if (is_false_at(part, "/valid"))
-    return "<p class=\"note\">Lindqvist's formula does not apply: " + html_escaped(text_at(part, "/reason")) +
-           "</p>\n";
+  if (is_false_at(result, result_key::lindqvist_valid))
+    return "<p class=\"note\">Lindqvist's formula does not apply: " +
+           html_escaped(text_at(result, result_key::lindqvist_reason)) + "</p>\n";
   const auto load = [&](double newtons) { return fixed(newtons / unit.newtons, unit.decimals); };
-  const double crushing = number_at(part, "/crushing_N"), bending = number_at(part, "/bending_N");
-  const double breaking = number_at(part, "/breaking_N");
+  const double crushing = number_at(result, result_key::lindqvist_crushing),
+               bending = number_at(result, result_key::lindqvist_bending);
+  const double breaking = number_at(result, result_key::lindqvist_breaking);
   std::string rows = row("Crushing", {load(crushing)}) + row("Bending", {load(bending)});
   rows += row("Speed factor", {fixed(breaking / (crushing + bending), 3)});
-  rows +=
-      row("Breaking", {load(breaking)}, "sum") + row("Submersion", {load(number_at(part, "/submersion_N"))});
-  rows += row("Total resistance", {load(number_at(part, "/total_N"))}, "sum");
+  rows += row("Breaking", {load(breaking)}, "sum") +
+          row("Submersion", {load(number_at(result, result_key::lindqvist_submersion))});
+  rows += row("Total resistance", {load(number_at(result, result_key::lindqvist_total))}, "sum");
   rows += row(std::string("Simulated mean / ") + (ranked.whole_load ? "total" : "breaking"),
               {fixed(ranked.ratio, 2)});
-  const std::string caution = text_at(part, "/caution");
+  const std::string caution = text_at(result, result_key::lindqvist_caution);
   return "<div>" + table("Lindqvist's formula", {unit.name}, rows) +
          (caution.empty() ? "" : "<p class=\"note\">" + html_escaped(caution) + "</p>\n") + "</div>";
 }
 
 std::string margins_list(const Json& result) {
-  const Json& margins = part_at(result, "/hull/margins");
+  const Json& margins = part_at(result, result_key::margins);
   if (!margins.is_object() || margins.empty()) return {};
   std::string html =
       "<h4>Feasibility margins <small>satisfied where not negative</small></h4><ul class=\"margins\">";
   for (const auto& [name, value] : margins.items()) {
     const double margin = value.is_number() ? value.get<double>() : std::nan("");
-    const std::string sentence = text_at(part_at(result, "/hull/margin_sentences"), "/" + name);
+    const std::string sentence = text_at(part_at(result, result_key::margin_sentences), "/" + name);
     html += std::string("<li class=\"") + (margin < 0.0 ? "negative" : "positive") + "\"><b>" +
             html_escaped(name) + "</b> <span class=\"num\">" + fixed(margin, 2) + "</span> <span>" +
             html_escaped(sentence) + "</span></li>";
@@ -154,44 +157,46 @@ std::string ice_facts(const Json& result, double lambda) {
   Facts facts;
   const double cubic_metres = std::pow(lambda, 3);
   facts.add("Steady part, full scale",
-            fixed(number_at(result, "/metrics/steady_from_m") * lambda, 1) + " to " +
-                fixed(number_at(result, "/metrics/steady_to_m") * lambda, 1) + "\u00a0m of advance");
-  facts.add("Independent samples in it", number_at(result, "/metrics/effective_samples"), 0);
-  facts.add("Channel width / beam", number_at(result, "/metrics/channel_width_over_beam"), 2);
-  facts.count("Floes", number_at(result, "/metrics/floes"));
-  facts.add("Broken ice, full scale", number_at(result, "/metrics/broken_volume_m3") * cubic_metres, 0,
+            fixed(number_at(result, result_key::model_steady_from) * lambda, 1) + " to " +
+                fixed(number_at(result, result_key::model_steady_to) * lambda, 1) + "\u00a0m of advance");
+  facts.add("Independent samples in it", number_at(result, result_key::effective_samples), 0);
+  facts.add("Channel width / beam", number_at(result, result_key::channel_width_over_beam), 2);
+  facts.count("Floes", number_at(result, result_key::pieces));
+  facts.add("Broken ice, full scale", number_at(result, result_key::broken_volume) * cubic_metres, 0,
             "m\u00b3");
-  facts.add("Crushed ice, full scale", number_at(result, "/metrics/crushed_volume_m3") * cubic_metres, 0,
+  facts.add("Crushed ice, full scale", number_at(result, result_key::crushed_volume) * cubic_metres, 0,
             "m\u00b3");
-  facts.count("Broken bonds", number_at(result, "/metrics/broken_bonds"));
-  return std::isfinite(number_at(result, "/metrics/mean_load_N")) ? "<h4>Ice</h4>" + facts.list()
-                                                                  : std::string();
+  facts.count("Broken bonds", number_at(result, result_key::broken_bonds));
+  return std::isfinite(number_at(result, result_key::model_mean_load)) ? "<h4>Ice</h4>" + facts.list()
+                                                                       : std::string();
 }
 
 std::string simulation_facts(const Json& result, double wall_seconds) {
-  const Json& run = part_at(result, "/simulation");
+  const Json& run = part_at(result, result_key::simulation);
   if (!run.is_object()) return {};
   Facts facts;
-  const double nx = number_at(run, "/nx"), ny = number_at(run, "/ny"), nz = number_at(run, "/nz");
+  const double nx = number_at(result, result_key::particles_along),
+               ny = number_at(result, result_key::particles_across),
+               nz = number_at(result, result_key::layers);
   if (std::isfinite(nx * ny * nz))
     facts.add("Particles",
               fixed(nx, 0) + "\u2009\u00d7\u2009" + fixed(ny, 0) + "\u2009\u00d7\u2009" + fixed(nz, 0));
-  facts.count("Steps", number_at(run, "/steps"));
-  facts.add("Time step, model", number_at(run, "/dt_s") * 1e6, 1, "\u00b5s");
-  const double stretch = number_at(run, "/critical_stretch");
+  facts.count("Steps", number_at(result, result_key::steps));
+  facts.add("Time step, model", number_at(result, result_key::time_step) * 1e6, 1, "\u00b5s");
+  const double stretch = number_at(result, result_key::critical_stretch);
   if (std::isfinite(stretch)) facts.add("Critical stretch", engineering(stretch, ""));
-  const double tensile = number_at(run, "/tensile_strength_Pa"),
-               crushing = number_at(run, "/crushing_pressure_Pa");
+  const double tensile = number_at(result, result_key::tensile_strength),
+               crushing = number_at(result, result_key::crushing_pressure);
   if (std::isfinite(tensile)) facts.add("Tensile strength of bonds, model", tensile / 1e3, 1, "kPa");
   if (std::isfinite(crushing)) facts.add("Crushing pressure, model", crushing / 1e3, 1, "kPa");
-  const double flexural = number_at(run, "/ice/flexural_strength_Pa");
+  const double flexural = number_at(result, result_key::simulated_flexural_strength);
   if (std::isfinite(flexural))
     facts.add("Flexural strength of the simulated ice, full scale", flexural / 1e3, 0, "kPa");
-  facts.add("Model scale", "1\u2009:\u2009" + fixed(number_at(run, "/lambda"), 0));
+  facts.add("Model scale", "1\u2009:\u2009" + fixed(number_at(result, result_key::lambda), 0));
   facts.add("Wall time", duration(wall_seconds));
-  const double ranks = number_at(result, "/provenance/ranks");
+  const double ranks = number_at(result, result_key::ranks);
   if (std::isfinite(ranks)) facts.count("Ranks", ranks);
-  facts.add("Time per bond and step", number_at(run, "/ns_per_bond"), 2, "ns");
+  facts.add("Time per bond and step", number_at(result, result_key::ns_per_bond), 2, "ns");
   return "<h4>Simulation</h4>" + facts.list();
 }
 

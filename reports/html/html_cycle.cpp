@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reports/text/json_fields.h"
+#include "base/json_fields.h"
 #include "reports/text/text_format.h"
 
 namespace icebow {

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json_fields.h"
 #include "base/units.h"
 #include "reports/content/verdict.h"
 #include "reports/html/html_sections.h"
-#include "reports/text/json_fields.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/provenance.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -39,15 +40,15 @@ struct Condition {
 };
 
 const Condition conditions[] = {
-    {"Ice thickness", "/lindqvist/inputs/h_m", "m", 2, 1.0},
-    {"Ship speed", "/lindqvist/inputs/V_m_s", "kn", 2, 1.0 / metres_per_second_per_knot},
-    {"Flexural strength", "/lindqvist/inputs/sigma_f_Pa", "kPa", 0, 1e-3},
-    {"Elastic modulus", "/lindqvist/inputs/E_Pa", "GPa", 2, 1e-9},
-    {"Hull friction", "/lindqvist/inputs/mu", "", 2, 1.0},
-    {"Ship length", "/lindqvist/inputs/L_m", "m", 1, 1.0},
-    {"Beam", "/lindqvist/inputs/B_m", "m", 1, 1.0},
-    {"Draught", "/lindqvist/inputs/T_m", "m", 1, 1.0},
-    {"Model scale", "/simulation/lambda", "", 0, 1.0},
+    {"Ice thickness", result_key::thickness, "m", 2, 1.0},
+    {"Ship speed", result_key::speed, "kn", 2, 1.0 / metres_per_second_per_knot},
+    {"Flexural strength", result_key::flexural_strength, "kPa", 0, 1e-3},
+    {"Elastic modulus", result_key::elastic_modulus, "GPa", 2, 1e-9},
+    {"Hull friction", result_key::friction, "", 2, 1.0},
+    {"Ship length", result_key::ship_length, "m", 1, 1.0},
+    {"Beam", result_key::ship_beam, "m", 1, 1.0},
+    {"Draught", result_key::draught, "m", 1, 1.0},
+    {"Model scale", result_key::lambda, "", 0, 1.0},
 };
 
 // "1.00 m", or "0.80 to 1.20 m" where the designs differ.

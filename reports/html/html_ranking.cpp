@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/json_fields.h"
+#include "base/text.h"
 #include "reports/html/html_sections.h"
 #include "reports/tables/table_report.h"
-#include "reports/text/json_fields.h"
 #include "reports/text/text_format.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -29,9 +30,7 @@ Range angle_range(const ReportContent& content, const char* angle) {
 }
 
 std::string plain(double value, int decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return text("%.*f", decimals, value);
 }
 
 // A cell that sorts by its number; unknown numbers sort last.
@@ -93,13 +92,13 @@ std::string tie_chips(const RankedDesign& row) {
 
 std::string mean_cell(const RankedDesign& row, const LoadUnit& unit) {
   const Json& result = row.evaluation.result;
-  const double model = number_at(result, "/metrics/mean_load_N");
+  const double model = number_at(result, result_key::model_mean_load);
   std::string html =
       with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
   // The breaking cycle sails at full scale: it has no model's load.
-  if (std::isfinite(model) && model != number_at(result, "/metrics/full_scale/mean_load_N"))
-    html +=
-        "<small>" + with_interval(model, number_at(result, "/metrics/mean_load_ci95_N"), 1) + " N</small>";
+  if (std::isfinite(model) && model != number_at(result, result_key::mean_load))
+    html += "<small>" + with_interval(model, number_at(result, result_key::model_mean_load_ci95), 1) +
+            " N</small>";
   return cell(row.mean_load, html, "num strong");
 }
 
@@ -120,8 +119,7 @@ std::string table_row(const ReportContent& content, std::size_t i, const Range r
   if (content.has_loads()) html += mean_cell(row, unit);
   html += "<td class=\"barcell\">" + load_bar(row, full) + "</td>";
   const auto load_cell = [&](double load) { return cell(load, fixed(load / unit.newtons, unit.decimals)); };
-  if (content.has_loads())
-    html += load_cell(number_at(row.evaluation.result, "/metrics/full_scale/max_load_N"));
+  if (content.has_loads()) html += load_cell(number_at(row.evaluation.result, result_key::max_load));
   if (content.has_lindqvist()) html += load_cell(row.lindqvist);
   if (content.has_loads() && content.has_lindqvist()) html += cell(row.ratio, fixed(row.ratio, 2));
   if (content.has_loads()) html += "<td class=\"ties\">" + tie_chips(row) + "</td>";

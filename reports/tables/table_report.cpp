@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <set>
 
+#include "base/json_fields.h"
 #include "reports/content/load_unit.h"
 #include "reports/content/verdict.h"
-#include "reports/text/json_fields.h"
 #include "reports/text/text_format.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -30,13 +31,13 @@ std::string csv_row(const RankedDesign& row, const std::set<std::string>& parame
       (row.rank > 0 ? std::to_string(row.rank) : "") + ',' + csv_field(e.name) + ',' + to_string(e.status);
   for (const char* angle : angles) line += ',' + csv_number(measured_or_requested(e.result, angle));
   line += ',' + csv_number(row.mean_load) + ',' + csv_number(row.mean_load_ci95);
-  line += result("/metrics/full_scale/max_load_N") + result("/metrics/full_scale/q95_load_N");
-  line += result("/metrics/full_scale/std_load_N") + result("/metrics/mean_load_N") +
-          result("/metrics/mean_load_ci95_N");
-  line +=
-      result("/lindqvist/crushing_N") + result("/lindqvist/bending_N") + result("/lindqvist/submersion_N");
-  line +=
-      ',' + csv_number(row.lindqvist_breaking) + result("/lindqvist/total_N") + ',' + csv_number(row.ratio);
+  line += result(result_key::max_load) + result(result_key::q95_load);
+  line += result(result_key::std_load) + result(result_key::model_mean_load) +
+          result(result_key::model_mean_load_ci95);
+  line += result(result_key::lindqvist_crushing) + result(result_key::lindqvist_bending) +
+          result(result_key::lindqvist_submersion);
+  line += ',' + csv_number(row.lindqvist_breaking) + result(result_key::lindqvist_total) + ',' +
+          csv_number(row.ratio);
   line += std::string(",") + (row.tied_with_best ? "1" : "0") + ',' + (row.tied_with_next ? "1" : "0");
   line +=
       ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
@@ -57,7 +58,7 @@ std::string markdown_row(const RankedDesign& row, const LoadUnit& unit) {
   for (const char* angle : angles) line += " | " + fixed(measured_or_requested(result, angle), 1);
   line +=
       " | " + with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
-  line += " | " + load(number_at(result, "/metrics/full_scale/max_load_N")) + " | " + load(row.lindqvist);
+  line += " | " + load(number_at(result, result_key::max_load)) + " | " + load(row.lindqvist);
   return line + " | " + fixed(row.ratio, 2) + " |\n";
 }
 
@@ -90,8 +91,8 @@ std::string markdown_provenance(const StudyResults& study) {
 }  // namespace
 
 double measured_or_requested(const Json& result, const std::string& angle) {
-  const double measured = number_at(result, "/hull/measured_deg/" + angle);
-  return std::isfinite(measured) ? measured : number_at(result, "/hull/requested_deg/" + angle);
+  const double measured = number_at(result, result_key::measured_deg(angle));
+  return std::isfinite(measured) ? measured : number_at(result, result_key::requested_deg(angle));
 }
 
 std::string ranking_csv(const StudyResults& study) {

@@ -3,7 +3,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+
+#include "base/text.h"
 
 namespace icebow {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 const char* const en_dash = "\u2013";
 const char* const minus_sign = "\u2212";
 const char* const narrow_space = "\u202f";
-
-std::string printed(const char* format, int precision, double value) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, precision, value);
-  return text;
-}
 
 }  // namespace
 
@@ -78,7 +73,7 @@ std::string csv_number(double value) {
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return en_dash;
-  const std::string digits = printed("%.*f", decimals, std::abs(value));
+  const std::string digits = text("%.*f", decimals, std::abs(value));
   const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
   return value < 0.0 && !is_zero ? minus_sign + digits : digits;
 }
@@ -94,7 +89,7 @@ std::string engineering(double value, const std::string& unit) {
     const double s = std::abs(scaled);
     return fixed(scaled, s >= 99.95 ? 0 : s >= 9.995 ? 1 : 2) + "\u00a0" + prefix + unit;
   }
-  return printed("%.*g", 3, value);
+  return text("%.*g", 3, value);
 }
 
 std::string with_thousands(long long value) {

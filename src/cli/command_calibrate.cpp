@@ -30,7 +30,7 @@ struct Afloat {
   std::optional<InSitu> in_situ;
 };
 
-// Of one ice, at the scale of the study's section "ice".
+// What one ice is asked to be and what it measures, at the scale of the study's section "ice".
 struct Comparison {
   Case description;
   Scenario simulated;  // at the scale that is simulated
@@ -86,7 +86,7 @@ double input_modulus(const Comparison& c) {
   return to_full_scale(c.simulated.ice.E, c.lambda, scaling::stress);
 }
 
-// Of bonds that break by stress; at the scale of the study's section "ice".
+// Strength of bonds that break by stress, at the scale of the study's section "ice".
 double input_strength(const Comparison& c) {
   return to_full_scale(c.simulated.ice.tensile_strength, c.lambda, scaling::stress);
 }

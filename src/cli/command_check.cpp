@@ -13,7 +13,6 @@
 #include "study/plan/feasible_box.h"
 #include "study/plan/nearest_feasible.h"
 #include "study/spec/case_hull.h"
-#include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_method.h"
 
@@ -58,8 +57,8 @@ std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
 
 // A design as far as it is known without a mesh.
 std::string verdict_on(const PlannedDesign& planned) {
-  if (!planned.mistake.empty()) return "cannot be evaluated: " + planned.mistake;
-  const Case c = read_case(planned.design.document, planned.design.name);
+  if (!planned.design.given) return "cannot be evaluated: " + planned.design.mistake;
+  const Case& c = *planned.design.given;
   const BowFeasibility f = check_feasibility(c);
   if (f.feasible) return "";
   const std::string nearest = c.own.given() ? "" : nearest_feasible_words(c.bow);

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/errors.h"
-#include "base/json.h"
+#include "base/json_fields.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "cli/commands.h"

@@ -9,6 +9,7 @@
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "study/evaluate/evaluate.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -18,8 +19,8 @@ constexpr int usual_snapshots = 10;
 // One run is looked at: it has snapshots, and is simulated whatever the study evaluates.
 Design to_simulate(const ChosenDesign& chosen) {
   Design design = chosen.design;
-  if (chosen.description.snapshots == 0) design.document["output"]["snapshots"] = usual_snapshots;
-  design.document["evaluators"] = {"lindqvist", "peridynamics"};
+  if (design.given->snapshots == 0) design.given->snapshots = usual_snapshots;
+  design.asked = Evaluators{true, true};
   return design;
 }
 
@@ -42,7 +43,7 @@ std::string kilonewtons(const Json& loads, const char* key) {
 }
 
 std::string bias_sentence(const Json& result) {
-  const Json::json_pointer at("/metrics/resolution_bias/sentence");
+  const Json::json_pointer at(result_key::bias_sentence);
   return result.contains(at) ? result.at(at).get<std::string>() + "\n" : "";
 }
 

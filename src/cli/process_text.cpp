@@ -1,39 +1,34 @@
 #include "cli/process_text.h"
 
-#include <limits>
 #include <vector>
 
+#include "base/json_fields.h"
 #include "cli/text_table.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
 
-double at(const Json& process, const char* pointer) {
-  const Json::json_pointer where(pointer);
-  const bool there = process.contains(where) && process.at(where).is_number();
-  return there ? process.at(where).get<double>() : std::numeric_limits<double>::quiet_NaN();
+std::string percent(const Json& result, const std::string& pointer) {
+  return decimals(100.0 * number_at(result, pointer), 0);
 }
 
-std::string percent(const Json& process, const char* pointer) {
-  return decimals(100.0 * at(process, pointer), 0);
-}
-
-std::string count(const Json& process, const char* pointer) {
-  return decimals(at(process, pointer), 0);
+std::string count(const Json& result, const std::string& pointer) {
+  return decimals(number_at(result, pointer), 0);
 }
 
 // In units of the ice's thickness.
-std::string thicknesses(const Json& process, const char* pointer) {
-  return decimals(at(process, pointer) / at(process, "/thickness_m"), 1);
+std::string thicknesses(const Json& result, const std::string& pointer) {
+  return decimals(number_at(result, pointer) / number_at(result, result_key::sheet_thickness), 1);
 }
 
 bool has_process(const Json& result) {
-  return result.is_object() && result.contains("process") && result.at("process").is_object();
+  return part_at(result, result_key::process).is_object();
 }
 
-std::string load_rhythm(const Json& process) {
-  const bool clear = process.value("/load_cycle/cycles"_json_pointer, std::string()) == "clear";
-  return clear ? thicknesses(process, "/load_cycle/advance_m") : "overlapping";
+std::string load_rhythm(const Json& result) {
+  const bool clear = text_at(result, result_key::cycles) == "clear";
+  return clear ? thicknesses(result, result_key::cycle_advance) : "overlapping";
 }
 
 }  // namespace
@@ -43,33 +38,35 @@ std::string process_table(const Ranking& ranking) {
                                                  "breaking length/h", "floes", "in floes, %", "cycle/h",
                                                  "peak/mean", "no contact, %"}};
   for (const RankedDesign& row : ranking.rows) {
-    if (row.rank == 0 || !has_process(row.evaluation.result)) continue;
-    const Json& p = row.evaluation.result.at("process");
-    rows.push_back(
-        {row.evaluation.name, count(p, "/cracks/radial/count"), count(p, "/cracks/circumferential/count"),
-         count(p, "/cracks/splitting/count"), thicknesses(p, "/breaking_length/normal_m"),
-         count(p, "/floes/count"), percent(p, "/detached/in_floes_share"), load_rhythm(p),
-         decimals(at(p, "/load_cycle/peak_over_mean"), 1), percent(p, "/load_cycle/without_contact_share")});
+    const Json& result = row.evaluation.result;
+    if (row.rank == 0 || !has_process(result)) continue;
+    rows.push_back({row.evaluation.name, count(result, result_key::cracks("radial")),
+                    count(result, result_key::cracks("circumferential")),
+                    count(result, result_key::cracks("splitting")),
+                    thicknesses(result, result_key::breaking_length), count(result, result_key::floes),
+                    percent(result, result_key::in_floes_share), load_rhythm(result),
+                    decimals(number_at(result, result_key::peak_over_mean), 1),
+                    percent(result, result_key::without_contact_share)});
   }
   return rows.size() > 1 ? text_table(rows) : "";
 }
 
 std::string process_text(const Json& result) {
   if (!has_process(result)) return "";
-  const Json& p = result.at("process");
-  const std::string length = decimals(at(p, "/breaking_length/normal_over_characteristic"), 2);
-  return "cracks: " + count(p, "/cracks/radial/count") + " radial, " +
-         count(p, "/cracks/circumferential/count") + " circumferential, " +
-         count(p, "/cracks/splitting/count") + " splitting; breaking length " +
-         thicknesses(p, "/breaking_length/normal_m") + " h, " + length + " characteristic lengths\n" +
-         "broken ice: " + count(p, "/floes/count") + " floes with " + percent(p, "/detached/in_floes_share") +
-         " % of it, " + percent(p, "/detached/dust_share") + " % dust\n" + "load: peak/mean " +
-         decimals(at(p, "/load_cycle/peak_over_mean"), 1) + ", no contact for " +
-         percent(p, "/load_cycle/without_contact_share") + " % of the time, cycles " +
-         (load_rhythm(p) == "overlapping" ? load_rhythm(p) : "of " + load_rhythm(p) + " h") + "\n" +
-         "hull's work: " + percent(p, "/energy/fracture") + " % fracture, " +
-         percent(p, "/energy/contact_loss") + " % friction and impact, " + percent(p, "/energy/kinetic") +
-         " % motion of the ice\n";
+  const std::string length = decimals(number_at(result, result_key::breaking_length_over_characteristic), 2);
+  return "cracks: " + count(result, result_key::cracks("radial")) + " radial, " +
+         count(result, result_key::cracks("circumferential")) + " circumferential, " +
+         count(result, result_key::cracks("splitting")) + " splitting; breaking length " +
+         thicknesses(result, result_key::breaking_length) + " h, " + length + " characteristic lengths\n" +
+         "broken ice: " + count(result, result_key::floes) + " floes with " +
+         percent(result, result_key::in_floes_share) + " % of it, " +
+         percent(result, result_key::dust_share) + " % dust\n" + "load: peak/mean " +
+         decimals(number_at(result, result_key::peak_over_mean), 1) + ", no contact for " +
+         percent(result, result_key::without_contact_share) + " % of the time, cycles " +
+         (load_rhythm(result) == "overlapping" ? load_rhythm(result) : "of " + load_rhythm(result) + " h") +
+         "\n" + "hull's work: " + percent(result, result_key::energy("fracture")) + " % fracture, " +
+         percent(result, result_key::energy("contact_loss")) + " % friction and impact, " +
+         percent(result, result_key::energy("kinetic")) + " % motion of the ice\n";
 }
 
 }  // namespace icebow

@@ -9,7 +9,7 @@ namespace icebow {
 
 // A line a ranked design; empty where none was simulated.
 std::string process_table(const Ranking& ranking);
-// Of one result; a few lines, empty where it has no "process".
+// A few lines on one result; empty where it has no "process".
 std::string process_text(const Json& result);
 
 }  // namespace icebow

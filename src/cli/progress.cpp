@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "cli/text_table.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -50,7 +51,7 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-// Of one run: step, speed, load and energy, for people who watch it.
+// Step, speed, load and energy of one run, for people who watch it.
 std::string run_words(const Progress& p) {
   std::string words = std::to_string(p.step) + "/" + std::to_string(p.steps) + "  " +
                       decimals(p.ns_per_bond, 3) + " ns/bond  " + decimals(p.load, 1) + " N";
@@ -64,7 +65,7 @@ std::string run_words(const Progress& p) {
 // What there is to say of a finished design in one line.
 std::string result_words(const Evaluation& e) {
   std::string words = to_string(e.status);
-  const Json::json_pointer load("/metrics/full_scale/mean_load_N"), formula("/lindqvist/breaking_N");
+  const Json::json_pointer load(result_key::mean_load), formula(result_key::lindqvist_breaking);
   for (const auto& [pointer, name] :
        {std::pair{load, "mean load"}, std::pair{formula, "Lindqvist breaking"}}) {
     if (e.status != EvaluationStatus::ok || !e.result.contains(pointer) || !e.result.at(pointer).is_number())

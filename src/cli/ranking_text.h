@@ -7,7 +7,7 @@
 
 namespace icebow {
 
-// Of DIR/results.sqlite, which a run may be writing to. Throws InputError where DIR holds no study.
+// Ranks DIR/results.sqlite, which a run may be writing to. Throws InputError where DIR holds no study.
 Ranking read_ranking(const std::string& directory);
 std::string ranking_text(const Ranking& ranking);
 

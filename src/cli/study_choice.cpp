@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "study/spec/read_study.h"
-#include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
 
@@ -62,19 +61,26 @@ StudySpec load_study(const Communicator& comm, const Arguments& arguments) {
   return spec;
 }
 
+namespace {
+
+Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
+  if (!arguments.has("--design")) return baseline_of(spec);
+  const StudyPlan plan = plan_study(spec);
+  const Design& planned = find_planned(plan, arguments.value("--design")).design;
+  if (!planned.given || !arguments.has("--set")) return planned;
+  Json document = planned.document;
+  for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
+  resolve_hull_files(document, spec.file);
+  return read_design(planned.name, std::move(document), planned.parameters);
+}
+
+}  // namespace
+
 ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments) {
   ChosenDesign chosen;
-  chosen.design = {"baseline", spec.document, {}};
-  if (arguments.has("--design")) {
-    const StudyPlan plan = plan_study(spec);
-    const PlannedDesign& planned = find_planned(plan, arguments.value("--design"));
-    if (!planned.mistake.empty()) throw InputError(planned.mistake);
-    chosen.design = planned.design;
-    for (const std::string& assignment : arguments.values("--set"))
-      apply_set(chosen.design.document, assignment);
-    resolve_hull_files(chosen.design.document, spec.file);
-  }
-  chosen.description = read_case(chosen.design.document, chosen.design.name);
+  chosen.design = chosen_design(spec, arguments);
+  if (!chosen.design.given) throw InputError(chosen.design.mistake);
+  chosen.description = *chosen.design.given;
   return chosen;
 }
 

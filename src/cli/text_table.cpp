@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/text.h"
 
 namespace icebow {
 namespace {
@@ -46,21 +47,15 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows) {
 std::string clock_time(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0.0 || seconds > 3.6e9) return "--:--";
   const long s = std::lround(seconds);
-  char text[32];
-  if (s < 3600) {
-    std::snprintf(text, sizeof text, "%ld:%02ld", s / 60, s % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
-  }
-  return text;
+  if (s < 3600) return text("%ld:%02ld", s / 60, s % 60);
+  return text("%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
 }
 
 std::string decimals(double value, int digits) {
   if (!std::isfinite(value)) return "-";
-  char text[352];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  const bool zero = std::string(text).find_first_of("123456789") == std::string::npos;
-  return zero && text[0] == '-' ? text + 1 : text;
+  const std::string printed = text("%.*f", digits, value);
+  const bool zero = printed.find_first_of("123456789") == std::string::npos;
+  return zero && printed[0] == '-' ? printed.substr(1) : printed;
 }
 
 }  // namespace icebow

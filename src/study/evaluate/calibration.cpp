@@ -1,13 +1,13 @@
 #include "study/evaluate/calibration.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
 
 #include "base/errors.h"
 #include "base/sha256.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "solver/tank/virtual_tests.h"
 #include "study/evaluate/evaluator_inputs.h"
@@ -20,9 +20,7 @@ namespace fs = std::filesystem;
 
 // Six digits: the last ones hang on the vector width of the machine.
 double to_six_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5e", value);
-  return std::strtod(text, nullptr);
+  return std::strtod(text("%.5e", value).c_str(), nullptr);
 }
 
 LatticeNumbers measured(Scenario s) {
@@ -97,12 +95,9 @@ Json found_on_root(const Scenario& s) {
 }  // namespace
 
 std::string lattice_text(const Scenario& s) {
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "virtual_tests.version=%d\nlayers=%ld\nhorizon_ratio=%a\nnu=%a\nsurface_correction=%s\n",
-                virtual_tests_version, std::lround(s.ice.h / s.numerics.dx), s.numerics.horizon_ratio,
-                s.ice.nu, s.numerics.surface_correction ? "true" : "false");
-  return text;
+  return text("virtual_tests.version=%d\nlayers=%ld\nhorizon_ratio=%a\nnu=%a\nsurface_correction=%s\n",
+              virtual_tests_version, std::lround(s.ice.h / s.numerics.dx), s.numerics.horizon_ratio, s.ice.nu,
+              s.numerics.surface_correction ? "true" : "false");
 }
 
 std::string calibration_directory() {

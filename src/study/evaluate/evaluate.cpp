@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/collective.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "formula/lindqvist.h"
@@ -24,285 +25,240 @@
 #include "study/evaluate/result_json.h"
 #include "study/evaluate/voyage_picture.h"
 #include "study/spec/case_hull.h"
-#include "study/spec/spec_case.h"
 
 namespace icebow {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The root writes, every rank learns whether it could: a full disk is not to leave the others waiting.
-template <class Write>
-void on_root(const Communicator& comm, const Write& write) {
-  std::string error;
-  if (comm.is_root()) {
-    try {
-      write();
-    } catch (const std::exception& e) {
-      error = e.what();
-    }
-  }
-  error = comm.broadcast(error);
-  if (!error.empty()) throw RuntimeError(error);
-}
+// One design on its way to its result.
+struct Work {
+  const Communicator& comm;
+  const Design& design;
+  const EvaluateOptions& options;
+  Json result;  // so far
+  Hull hull;
+  std::vector<std::string> notes;  // what a reader of the result should know
 
-// One design on its way from document to result.
-class DesignRun {
- public:
-  DesignRun(const Communicator& comm, const Design& design, const EvaluateOptions& options)
-      : comm_(comm), design_(design), options_(options) {
-    e_.name = design.name;
-    e_.parameters = design.parameters;
-    e_.result = {{"files", Json::object()}};
-  }
-
-  Evaluation run() {
-    const auto begin = Clock::now();
-    if (writes()) on_root(comm_, [&] { std::filesystem::create_directories(options_.directory); });
-    evaluate();
-    e_.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    describe();
-    if (writes() && e_.status != EvaluationStatus::running) {
-      on_root(comm_, [&] {
-        write_text_file(path("result.json"), json_text(e_.result, 2) + "\n");
-        if (!options_.keep_checkpoint) remove_checkpoint_in(options_.directory);
-      });
-    }
-    return e_;
-  }
-
- private:
-  void evaluate();
-  void measure_hull();
-  void apply_formula();
-  void run_voyages();
-  void draw_voyage(const CycleOutcome& outcome);
-  void run_simulation();
-  RunResult simulated();
-  void take(const RunResult& run);
-  void judge();
-  void describe();
-  void write_hull();
-
-  bool writes() const { return !options_.directory.empty(); }
+  const Case& given() const { return *design.given; }
+  bool writes() const { return !options.directory.empty(); }
   std::string path(const std::string& file) const {
-    return (std::filesystem::path(options_.directory) / file).string();
+    return (std::filesystem::path(options.directory) / file).string();
   }
-  void end(EvaluationStatus status, const std::string& reason) {
-    e_.status = status;
-    e_.reason = reason;
-    ended_ = true;
-  }
-
-  const Communicator& comm_;
-  const Design& design_;
-  const EvaluateOptions& options_;
-  Evaluation e_;
-  bool ended_ = false;  // infeasible, failed or interrupted: the rest is left out
-  Case case_;
-  Hull hull_;
-  IceMaterial simulated_ice_;  // model scale
-  Json ice_;                   // what it is: simulated_ice_json()
-  std::vector<std::string> notes_;
 };
 
-void DesignRun::evaluate() {
-  std::string error;
-  try {
-    case_ = read_case(design_.document, design_.name);
-  } catch (const InputError& e) {
-    error = e.what();
-  }
-  error = first_trouble(comm_, error);
-  if (!error.empty()) return end(EvaluationStatus::failed, error);
-  e_.key = evaluation_key(case_, design_.document);
-  measure_hull();
-  if (!ended_ && asks_for(design_.document, "lindqvist")) apply_formula();
-  if (!ended_ && asks_for(design_.document, "cycle")) run_voyages();
-  const bool stop = comm_.is_root() && options_.stop && options_.stop();  // a hull takes a while
-  if (!ended_ && comm_.any(stop)) end(EvaluationStatus::running, "interrupted");
-  if (!ended_ && asks_for(design_.document, "peridynamics")) run_simulation();
-  if (!ended_) judge();
+// How a step ends: `ok` goes on to the next, anything else leaves the rest out.
+struct Ending {
+  EvaluationStatus status = EvaluationStatus::ok;
+  std::string reason;
+};
+
+Ending failed(const std::string& reason) {
+  return {EvaluationStatus::failed, reason};
 }
 
-void DesignRun::measure_hull() {
-  const BowParameters& bow = case_.bow;
-  hull_ = make_hull(case_);
-  e_.result["ship"] = {{"L_m", bow.L}, {"B_m", bow.B}, {"T_m", bow.T}};
-  e_.result["hull"] = hull_json(hull_);
-  if (case_.own.given()) e_.result["hull"]["imported"] = imported_json(case_.own);
-  if (hull_.status != HullStatus::ok) return end(EvaluationStatus::infeasible, hull_.reason);
-  if (writes()) on_root(comm_, [&] { write_hull(); });
+Ending read(Work& work) {
+  const std::string mistake = first_trouble(work.comm, work.design.mistake);
+  return mistake.empty() ? Ending{} : failed(mistake);
 }
 
-void DesignRun::write_hull() {
-  write_mesh(path("hull.obj"), hull_.mesh);
-  write_text_file(path("lines.svg"), lines_plan_svg(hull_, case_.bow, design_.name));
-  e_.result["files"]["hull"] = "hull.obj";
-  e_.result["files"]["lines_plan"] = "lines.svg";
+void write_hull(Work& work) {
+  write_mesh(work.path("hull.obj"), work.hull.mesh);
+  write_text_file(work.path("lines.svg"), lines_plan_svg(work.hull, work.given().bow, work.design.name));
+  work.result["files"]["hull"] = "hull.obj";
+  work.result["files"]["lines_plan"] = "lines.svg";
 }
 
-void DesignRun::apply_formula() {
-  const LindqvistInputs inputs = lindqvist_inputs(case_);
-  e_.result["lindqvist"] = lindqvist_json(lindqvist(inputs), inputs);
+Ending measure_hull(Work& work) {
+  const Case& c = work.given();
+  work.hull = make_hull(c);
+  work.result["ship"] = {{"L_m", c.bow.L}, {"B_m", c.bow.B}, {"T_m", c.bow.T}};
+  work.result["hull"] = hull_json(work.hull);
+  if (c.own.given()) work.result["hull"]["imported"] = imported_json(c.own);
+  if (work.hull.status != HullStatus::ok) return {EvaluationStatus::infeasible, work.hull.reason};
+  if (work.writes()) act_on_root(work.comm, [&] { write_hull(work); });
+  return {};
+}
+
+Ending apply_formula(Work& work) {
+  if (!work.design.asked.lindqvist) return {};
+  const LindqvistInputs inputs = lindqvist_inputs(work.given());
+  work.result["lindqvist"] = lindqvist_json(lindqvist(inputs), inputs);
+  return {};
+}
+
+void write_history(Work& work, const History& history) {
+  write_text_file(work.path("history.csv"), history_csv(history));
+  work.result["files"]["history"] = "history.csv";
+}
+
+void draw_voyage(Work& work, const CycleOutcome& outcome) {
+  const auto lines = slice(work.hull.mesh, 2, 0.0);
+  const auto longest = std::max_element(
+      lines.begin(), lines.end(), [](const Polyline& a, const Polyline& b) { return a.size() < b.size(); });
+  const double shown = 5.0 * work.given().bow.B;
+  write_text_file(
+      work.path("voyage.svg"),
+      voyage_svg(outcome.first_voyage, longest == lines.end() ? Polyline() : *longest,
+                 outcome.submersion + outcome.water, shown, work.design.name + ": breaking cycle"));
+  work.result["files"]["voyage"] = "voyage.svg";
 }
 
 // Where nothing finer is asked for, its record stands where a simulation's would.
-void DesignRun::run_voyages() {
+Ending run_voyages(Work& work) {
+  if (!work.design.asked.cycle) return {};
   cycle::BreakingRule rule;
   try {
-    rule = cycle_rule(comm_, case_);
+    rule = cycle_rule(work.comm, work.given());
   } catch (const InputError& error) {
-    return end(EvaluationStatus::failed, error.what());
+    return failed(error.what());
   }
-  const CycleOutcome outcome = run_cycle(case_, hull_.mesh, rule);
-  e_.result["cycle"] = cycle_json(outcome, case_, rule);
-  if (!outcome.reason.empty()) return;
+  const CycleOutcome outcome = run_cycle(work.given(), work.hull.mesh, rule);
+  work.result["cycle"] = cycle_json(outcome, work.given(), rule);
+  if (!outcome.reason.empty()) return {};
   const Json metrics = cycle_metrics_json(outcome), process = process_json(outcome.run.process);
-  e_.result["cycle"]["metrics"] = metrics;
-  e_.result["cycle"]["process"] = process;
-  const bool finest = !asks_for(design_.document, "peridynamics");
-  if (finest) e_.result["metrics"] = metrics, e_.result["process"] = process;
-  if (!writes()) return;
-  on_root(comm_, [&] {
-    draw_voyage(outcome);
-    if (!finest) return;
-    write_text_file(path("history.csv"), history_csv(outcome.run.history));
-    e_.result["files"]["history"] = "history.csv";
+  work.result["cycle"]["metrics"] = metrics;
+  work.result["cycle"]["process"] = process;
+  const bool finest = !work.design.asked.peridynamics;
+  if (finest) work.result["metrics"] = metrics, work.result["process"] = process;
+  if (!work.writes()) return {};
+  act_on_root(work.comm, [&] {
+    draw_voyage(work, outcome);
+    if (finest) write_history(work, outcome.run.history);
   });
+  return {};
 }
 
-void DesignRun::draw_voyage(const CycleOutcome& outcome) {
-  const auto lines = slice(hull_.mesh, 2, 0.0);
-  const auto longest = std::max_element(
-      lines.begin(), lines.end(), [](const Polyline& a, const Polyline& b) { return a.size() < b.size(); });
-  const double shown = 5.0 * case_.bow.B;
-  write_text_file(path("voyage.svg"),
-                  voyage_svg(outcome.first_voyage, longest == lines.end() ? Polyline() : *longest,
-                             outcome.submersion + outcome.water, shown, design_.name + ": breaking cycle"));
-  e_.result["files"]["voyage"] = "voyage.svg";
+// A hull and voyages take a while.
+Ending look_for_stop(Work& work) {
+  const bool stop = work.comm.is_root() && work.options.stop && work.options.stop();
+  return work.comm.any(stop) ? Ending{EvaluationStatus::running, "interrupted"} : Ending{};
 }
 
-void DesignRun::run_simulation() {
-  const RunResult run = simulated();
-  if (ended_) return;
-  take(run);
-  if (writes()) {
-    on_root(comm_, [&] {
-      write_text_file(path("history.csv"), history_csv(run.history));
-      e_.result["files"]["history"] = "history.csv";
-    });
-  }
-  if (run.status == RunStatus::interrupted) end(EvaluationStatus::running, "interrupted");
-  if (run.status == RunStatus::failed) end(EvaluationStatus::failed, run.reason);
+RunOptions run_options(Work& work) {
+  const Case& c = work.given();
+  RunOptions options;
+  options.directory = work.options.directory;
+  options.snapshots = c.snapshots;
+  options.snapshot_format = c.snapshot_format;
+  options.pictures = c.pictures;
+  options.seed = c.seed;
+  options.on_progress = work.options.on_progress;
+  options.stop = work.options.stop;
+  if (work.writes()) options.checkpoint_file = work.path(checkpoint_name);
+  options.keep_checkpoint = true;
+  options.checkpoint_every_s = work.options.checkpoint_every_s;
+  options.resume = work.options.resume;
+  options.on_resume = work.options.on_resume;
+  options.on_note = [&work](const std::string& words) {
+    work.notes.push_back(words);
+    if (work.options.on_note) work.options.on_note(words);
+  };
+  return options;
 }
+
+struct Simulated {
+  RunResult run;
+  IceMaterial ice;     // model scale
+  Json described;      // the ice, by simulated_ice_json()
+  std::string reason;  // why there is no run; empty where there is one
+};
 
 // A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
 // not.
-RunResult DesignRun::simulated() {
-  RunOptions run_options;
-  run_options.directory = options_.directory;
-  run_options.snapshots = case_.snapshots;
-  run_options.snapshot_format = case_.snapshot_format;
-  run_options.pictures = case_.pictures;
-  run_options.seed = case_.seed;
-  run_options.on_progress = options_.on_progress;
-  run_options.stop = options_.stop;
-  if (writes()) run_options.checkpoint_file = path(checkpoint_name);
-  run_options.keep_checkpoint = true;
-  run_options.checkpoint_every_s = options_.checkpoint_every_s;
-  run_options.resume = options_.resume;
-  run_options.on_resume = options_.on_resume;
-  run_options.on_note = [this](const std::string& words) {
-    notes_.push_back(words);
-    if (options_.on_note) options_.on_note(words);
-  };
-  RunResult run;
+Simulated simulated(Work& work) {
+  Simulated done;
   std::string error;
   bool machine = false;
   try {
-    const Scenario scenario = simulated_scenario(comm_, case_);
-    simulated_ice_ = scenario.ice;
-    ice_ = simulated_ice_json(comm_, case_, scenario);
-    run = simulate(comm_, scaled(hull_.mesh, 1.0 / case_.lambda), scenario, run_options);
+    const Scenario scenario = simulated_scenario(work.comm, work.given());
+    done.ice = scenario.ice;
+    done.described = simulated_ice_json(work.comm, work.given(), scenario);
+    done.run =
+        simulate(work.comm, scaled(work.hull.mesh, 1.0 / work.given().lambda), scenario, run_options(work));
   } catch (const std::exception& e) {
     error = *e.what() ? e.what() : "an exception without a message";
     machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
   }
-  if (!comm_.any(!error.empty())) return run;
-  std::string message = comm_.broadcast(error);
-  if (message.empty()) message = "the simulation failed on another rank than the first";
-  if (comm_.any(machine)) throw RuntimeError(message);
-  end(EvaluationStatus::failed, message);
-  return run;
+  if (!work.comm.any(!error.empty())) return done;
+  done.reason = work.comm.broadcast(error);
+  if (done.reason.empty()) done.reason = "the simulation failed on another rank than the first";
+  if (work.comm.any(machine)) throw RuntimeError(done.reason);
+  return done;
 }
 
-void DesignRun::take(const RunResult& run) {
-  if (run.status == RunStatus::ok) {
-    e_.result["metrics"] = metrics_json(run, case_.lambda);
-    e_.result["metrics"]["resolution_bias"] = resolution_bias_json(case_);
-    e_.result["process"] = process_json(run.process);
-  }
-  const double stress = simulated_ice_.tensile_strength, crushing = simulated_ice_.crushing_pressure;
-  e_.result["simulation"] = {{"dt_s", run.dt},
-                             {"dt_limit_s", run.dt_limit},
-                             {"steps", run.steps},
-                             {"ended", ended_json(run)},
-                             {"nx", run.nx},
-                             {"ny", run.ny},
-                             {"nz", run.nz},
-                             {"directed_bonds", run.directed_bonds},
-                             {"ns_per_bond", run.ns_per_bond},
-                             {"linear_share", run.linear_share},
-                             {"wall_s", run.wall_seconds},
-                             {"output_s", run.output_seconds},
-                             {"elastic_modulus_Pa", simulated_ice_.E},
-                             {"critical_stretch", stress ? Json(nullptr) : Json(run.s0)},
-                             {"tensile_strength_Pa", stress ? Json(stress) : Json(nullptr)},
-                             {"crushing_pressure_Pa", crushing ? Json(crushing) : Json(nullptr)},
-                             {"load", case_.water.buoyancy_and_gravity ? "whole" : "breaking"},
-                             {"ice", ice_},
-                             {"lambda", case_.lambda}};
-  e_.result["profile"] = profile_json(run);
+Json pictures_json(const RunResult& run) {
   Json pictures = Json::array();
   for (std::size_t i = 0; i < run.pictures.size(); ++i) {
     pictures.push_back({{"file", run.pictures[i]}, {"advance_m", run.picture_advance.at(i)}});
   }
-  e_.result["files"]["pictures"] = pictures;
+  return pictures;
+}
+
+Ending run_simulation(Work& work) {
+  if (!work.design.asked.peridynamics) return {};
+  const Simulated done = simulated(work);
+  if (!done.reason.empty()) return failed(done.reason);
+  const RunResult& run = done.run;
+  if (run.status == RunStatus::ok) {
+    work.result["metrics"] = metrics_json(run, work.given().lambda);
+    work.result["metrics"]["resolution_bias"] = resolution_bias_json(work.given());
+    work.result["process"] = process_json(run.process);
+  }
+  work.result["simulation"] = simulation_json(run, done.ice, work.given().lambda);
+  work.result["simulation"]["load"] = work.given().water.buoyancy_and_gravity ? "whole" : "breaking";
+  work.result["simulation"]["ice"] = done.described;
+  work.result["profile"] = profile_json(run);
+  work.result["files"]["pictures"] = pictures_json(run);
+  if (work.writes()) act_on_root(work.comm, [&] { write_history(work, run.history); });
+  if (run.status == RunStatus::interrupted) return {EvaluationStatus::running, "interrupted"};
+  return run.status == RunStatus::failed ? failed(run.reason) : Ending{};
 }
 
 // It ran to the end: it is ok where what it was run for is a number.
-void DesignRun::judge() {
-  const Json& result = e_.result;
-  if (asks_for(design_.document, "peridynamics") &&
-      !result.at("metrics").at("full_scale").at("mean_load_N").is_number()) {
-    return end(EvaluationStatus::failed, "the simulation ended with a mean load that is not a finite number");
+Ending judge(Work& work) {
+  const Json& result = work.result;
+  if (work.design.asked.peridynamics) {
+    const bool number = result.at("metrics").at("full_scale").at("mean_load_N").is_number();
+    return number ? Ending{} : failed("the simulation ended with a mean load that is not a finite number");
   }
-  if (!asks_for(design_.document, "peridynamics")) {
-    if (asks_for(design_.document, "cycle")) {
-      const std::string reason = result.at("cycle").at("reason").get<std::string>();
-      if (!reason.empty()) return end(EvaluationStatus::failed, reason);
-    } else if (!result.at("lindqvist").at("valid").get<bool>()) {
-      return end(EvaluationStatus::failed, result.at("lindqvist").at("reason").get<std::string>());
-    }
+  if (work.design.asked.cycle) {
+    const std::string reason = result.at("cycle").at("reason").get<std::string>();
+    return reason.empty() ? Ending{} : failed(reason);
   }
-  e_.status = EvaluationStatus::ok;
+  const Json& formula = result.at("lindqvist");
+  return formula.at("valid").get<bool>() ? Ending{} : failed(formula.at("reason").get<std::string>());
 }
 
-void DesignRun::describe() {
-  e_.result["design"] = design_.name;
-  e_.result["status"] = to_string(e_.status);
-  e_.result["reason"] = e_.reason;
-  e_.result["parameters"] = parameters_json(design_.parameters);
-  e_.result["provenance"] = {{"version", program_version()},
-                             {"host", host_name()},
-                             {"date_utc", utc_now()},
-                             {"ranks", comm_.size()},
-                             {"wall_s", e_.wall_seconds}};
-  if (!notes_.empty()) e_.result["notes"] = notes_;
+Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
+  Evaluation e;
+  e.name = work.design.name;
+  e.parameters = work.design.parameters;
+  if (work.design.given) e.key = evaluation_key(work.given(), work.design.asked);
+  e.status = ending.status;
+  e.reason = ending.reason;
+  e.wall_seconds = seconds;
+  e.result = work.result;
+  e.result["design"] = e.name;
+  e.result["status"] = to_string(e.status);
+  e.result["reason"] = e.reason;
+  e.result["parameters"] = parameters_json(e.parameters);
+  e.result["provenance"] = {{"version", program_version()},
+                            {"host", host_name()},
+                            {"date_utc", utc_now()},
+                            {"ranks", work.comm.size()},
+                            {"wall_s", seconds}};
+  if (!work.notes.empty()) e.result["notes"] = work.notes;
   for (const char* part : {"hull", "lindqvist", "cycle", "metrics", "process", "simulation", "profile"}) {
-    if (!e_.result.contains(part)) e_.result[part] = nullptr;
+    if (!e.result.contains(part)) e.result[part] = nullptr;
   }
+  if (work.writes() && e.status != EvaluationStatus::running) {
+    act_on_root(work.comm, [&] {
+      write_text_file(work.path("result.json"), json_text(e.result, 2) + "\n");
+      if (!work.options.keep_checkpoint) remove_checkpoint_in(work.options.directory);
+    });
+  }
+  return e;
 }
 
 }  // namespace
@@ -323,7 +279,16 @@ void remove_checkpoint_in(const std::string& design_directory) {
 }
 
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options) {
-  Evaluation e = DesignRun(comm, design, options).run();
+  const auto begin = Clock::now();
+  Work work{comm, design, options, {{"files", Json::object()}}, {}, {}};
+  if (work.writes()) act_on_root(comm, [&] { std::filesystem::create_directories(options.directory); });
+  Ending ending;
+  for (const auto step :
+       {read, measure_hull, apply_formula, run_voyages, look_for_stop, run_simulation, judge}) {
+    ending = step(work);
+    if (ending.status != EvaluationStatus::ok) break;
+  }
+  const Evaluation e = concluded(work, ending, std::chrono::duration<double>(Clock::now() - begin).count());
   return evaluation_from_json(
       Json::parse(comm.broadcast(json_text(to_json(e)))));  // files, times: as the root has them
 }

@@ -1,4 +1,4 @@
-// A design and what became of it: the rows of the result store.
+// What became of a design: the rows of the result store.
 #pragma once
 
 #include <map>
@@ -6,17 +6,9 @@
 #include <vector>
 
 #include "base/json.h"
-#include "study/spec/study_spec.h"
+#include "study/evaluate/design.h"
 
 namespace icebow {
-
-// A point of the study: a name, and the assignments that make it from the study file.
-struct Design {
-  std::string name;  // "baseline", "Thyssen-Waas", "d007"
-  Json document;     // the study document after its overrides, without "designs" and "method"
-  std::map<std::string, double>
-      parameters;  // values of the study's variables, by JSON pointer, in the file's units
-};
 
 enum class EvaluationStatus {
   ok,
@@ -40,13 +32,8 @@ const char* to_string(EvaluationStatus status);
 EvaluationStatus status_from_string(const std::string& text);  // throws RuntimeError for an unknown word
 
 // Between processes and ranks. A number that is not finite travels as null and comes back as NaN.
-Json to_json(const Design& design);
-Design design_from_json(const Json& json);
 Json to_json(const Evaluation& evaluation);
 Evaluation evaluation_from_json(const Json& json);
-
-Json parameters_json(const std::map<std::string, double>& parameters);
-std::map<std::string, double> parameters_from_json(const Json& json);
 
 // A tree as text that any reader of JSON takes: bytes that are not UTF-8 are replaced instead of thrown at.
 std::string json_text(const Json& json, int indent = -1);

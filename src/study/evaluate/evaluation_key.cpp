@@ -1,9 +1,7 @@
 #include "study/evaluate/evaluation_key.h"
 
-#include <algorithm>
-#include <cstdio>
-
 #include "base/sha256.h"
+#include "base/text.h"
 #include "solver/model/describe_scenario.h"
 #include "solver/model/described_text.h"
 #include "study/evaluate/calibration.h"
@@ -20,11 +18,7 @@ constexpr int result_version = 8;
 struct Spelling {
   static constexpr const char* equals = "=";
   static constexpr bool with_following = false;
-  static std::string spelled(double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%a", value == 0.0 ? 0.0 : value);  // -0.0 is 0.0
-    return text;
-  }
+  static std::string spelled(double value) { return text("%a", value == 0.0 ? 0.0 : value); }  // -0.0 is 0.0
   static std::string spelled(int value) { return std::to_string(value); }
   static std::string spelled(bool value) { return value ? "true" : "false"; }
   static std::string spelled(const std::string& value) { return value; }
@@ -129,29 +123,18 @@ void describe_cycle(Text& text, const CycleSettings& settings) {
 
 }  // namespace
 
-bool asks_for(const Json& document, const std::string& evaluator) {
-  if (!document.contains("evaluators")) return evaluator != "cycle";
-  const Json& list = document.at("evaluators");
-  return std::find(list.begin(), list.end(), Json(evaluator)) != list.end();
-}
-
-std::string evaluation_text(const Case& c, bool use_lindqvist, bool use_peridynamics, bool use_cycle) {
+std::string evaluation_text(const Case& c, const Evaluators& asked) {
   Text text;
   text.field("icebow.result_version", result_version);
-  text.field("use_lindqvist", use_lindqvist);
-  text.field("use_peridynamics", use_peridynamics);
+  text.field("use_lindqvist", asked.lindqvist);
+  text.field("use_peridynamics", asked.peridynamics);
   describe_case(text, c);
-  if (use_cycle) describe_cycle(text, c.cycle);
+  if (asked.cycle) describe_cycle(text, c.cycle);
   return text.str();
 }
 
-std::string evaluation_key(const Case& c, const Json& document) {
-  return evaluation_key(c, asks_for(document, "lindqvist"), asks_for(document, "peridynamics"),
-                        asks_for(document, "cycle"));
-}
-
-std::string evaluation_key(const Case& c, bool use_lindqvist, bool use_peridynamics, bool use_cycle) {
-  return sha256(evaluation_text(c, use_lindqvist, use_peridynamics, use_cycle));
+std::string evaluation_key(const Case& c, const Evaluators& asked) {
+  return sha256(evaluation_text(c, asked));
 }
 
 }  // namespace icebow

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
+#include "base/text.h"
 #include "solver/model/describe_history.h"
 
 namespace icebow {
@@ -23,11 +23,7 @@ struct Head {
 
 struct Line {
   std::string text;
-  void column(const char* /*name*/, double value) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.17g", value);
-    add(number);
-  }
+  void column(const char* /*name*/, double value) { add(icebow::text("%.17g", value)); }
   void column(const char* /*name*/, std::int64_t value) { add(std::to_string(value)); }
   // Empty where it was not evaluated.
   void sometimes(const char* name, double value) {

@@ -109,7 +109,7 @@ cycle::PatchTest judged(const RunResult& run, const Scenario& s, double width, d
 
 std::string table_text(const Case& c, const PatchPlan& plan) {
   std::string text = "patch_tests.version=" + std::to_string(patch_tests_version) + "\n" +
-                     evaluation_text(test_case(c, 1.0, 1.0), false, true);
+                     evaluation_text(test_case(c, 1.0, 1.0), {false, true});
   char line[64];
   for (double w : plan.widths_h) std::snprintf(line, sizeof line, "width=%a\n", w), text += line;
   for (double v : plan.edge_speeds) std::snprintf(line, sizeof line, "speed=%a\n", v), text += line;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json_fields.h"
 #include "base/units.h"
 
 namespace icebow {
@@ -12,10 +13,6 @@ constexpr std::size_t most_listed = 60;
 constexpr int stations = 8;
 constexpr double whole_thickness = 0.9;  // of a floe's columns, to count as broken through
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 // Mean, median, smallest and largest; nulls where there are none.
 Json spread_json(std::vector<double> values) {
   if (values.empty()) return {{"mean", nullptr}, {"median", nullptr}, {"min", nullptr}, {"max", nullptr}};
@@ -23,10 +20,10 @@ Json spread_json(std::vector<double> values) {
   double sum = 0.0;
   for (double v : values) sum += v;
   const std::size_t n = values.size();
-  return {{"mean", number(sum / double(n))},
-          {"median", number(0.5 * (values[(n - 1) / 2] + values[n / 2]))},
-          {"min", number(values.front())},
-          {"max", number(values.back())}};
+  return {{"mean", finite_or_null(sum / double(n))},
+          {"median", finite_or_null(0.5 * (values[(n - 1) / 2] + values[n / 2]))},
+          {"min", finite_or_null(values.front())},
+          {"max", finite_or_null(values.back())}};
 }
 
 // Which of a list of so many are the largest, in the list's own order.
@@ -53,30 +50,30 @@ Json cracks_json(const Cracks& cracks) {
     const Crack& c = cracks.list[n];
     json["list"].push_back({{"order", n + 1},
                             {"kind", to_string(c.kind)},
-                            {"opened_m", number(c.opened)},
-                            {"x_m", number(c.x)},
-                            {"y_m", number(c.y)},
-                            {"length_m", number(c.length)},
-                            {"direction_deg", number(degrees(c.direction))},
-                            {"from_hull_m", number(c.from_hull)}});
+                            {"opened_m", finite_or_null(c.opened)},
+                            {"x_m", finite_or_null(c.x)},
+                            {"y_m", finite_or_null(c.y)},
+                            {"length_m", finite_or_null(c.length)},
+                            {"direction_deg", finite_or_null(degrees(c.direction))},
+                            {"from_hull_m", finite_or_null(c.from_hull)}});
   }
   return json;
 }
 
 Json breaking_length_json(const BreakingLength& b, double characteristic) {
   return {{"cracks", b.cracks},
-          {"normal_m", number(b.normal)},
-          {"normal_std_m", number(b.deviation)},
-          {"along_course_m", number(b.along)},
-          {"normal_over_characteristic", number(b.normal / characteristic)},
-          {"along_course_over_characteristic", number(b.along / characteristic)}};
+          {"normal_m", finite_or_null(b.normal)},
+          {"normal_std_m", finite_or_null(b.deviation)},
+          {"along_course_m", finite_or_null(b.along)},
+          {"normal_over_characteristic", finite_or_null(b.normal / characteristic)},
+          {"along_course_over_characteristic", finite_or_null(b.along / characteristic)}};
 }
 
 Json detached_json(const DetachedIce& ice) {
-  return {{"volume_m3", number(ice.volume)},
-          {"crushed_volume_m3", number(ice.crushed())},
-          {"in_floes_share", number(ice.in_floes / ice.volume)},
-          {"dust_share", number(ice.dust / ice.volume)}};
+  return {{"volume_m3", finite_or_null(ice.volume)},
+          {"crushed_volume_m3", finite_or_null(ice.crushed())},
+          {"in_floes_share", finite_or_null(ice.in_floes / ice.volume)},
+          {"dust_share", finite_or_null(ice.dust / ice.volume)}};
 }
 
 Json floes_json(const std::vector<Floe>& floes) {
@@ -93,27 +90,27 @@ Json floes_json(const std::vector<Floe>& floes) {
                {"width_m", spread_json(widths)}, {"list", Json::array()}};
   for (const std::size_t n : largest(floes, [](const Floe& f) { return f.area; })) {
     const Floe& f = floes[n];
-    json["list"].push_back({{"area_m2", number(f.area)},
-                            {"length_m", number(f.length)},
-                            {"width_m", number(f.width)},
-                            {"through", number(f.through)},
-                            {"x_m", number(f.x)},
-                            {"y_m", number(f.y)}});
+    json["list"].push_back({{"area_m2", finite_or_null(f.area)},
+                            {"length_m", finite_or_null(f.length)},
+                            {"width_m", finite_or_null(f.width)},
+                            {"through", finite_or_null(f.through)},
+                            {"x_m", finite_or_null(f.x)},
+                            {"y_m", finite_or_null(f.y)}});
   }
   return json;
 }
 
 Json load_cycle_json(const LoadCycle& load, double characteristic) {
   return {{"cycles", load.clear ? "clear" : "overlapping"},
-          {"period_s", number(load.period)},
-          {"advance_m", number(load.advance)},
-          {"advance_over_characteristic", number(load.advance / characteristic)},
-          {"autocorrelation", number(load.height)},
-          {"significant_above", number(load.significant_above)},
-          {"periods_in_record", number(load.cycles)},
-          {"peak_over_mean", number(load.peak_over_mean)},
-          {"std_over_mean", number(load.deviation_over_mean)},
-          {"without_contact_share", number(load.without_contact)}};
+          {"period_s", finite_or_null(load.period)},
+          {"advance_m", finite_or_null(load.advance)},
+          {"advance_over_characteristic", finite_or_null(load.advance / characteristic)},
+          {"autocorrelation", finite_or_null(load.height)},
+          {"significant_above", finite_or_null(load.significant_above)},
+          {"periods_in_record", finite_or_null(load.cycles)},
+          {"peak_over_mean", finite_or_null(load.peak_over_mean)},
+          {"std_over_mean", finite_or_null(load.deviation_over_mean)},
+          {"without_contact_share", finite_or_null(load.without_contact)}};
 }
 
 // Equal parts of the channel, from the stem aft.
@@ -126,7 +123,7 @@ Json channel_json(const BreakingProcess& p) {
   for (double w : widths) square += std::pow(w - json["mean"].get<double>(), 2);
   const double n = double(widths.size());
   Json result = {{"width_m", json},
-                 {"width_std_m", n > 1 ? number(std::sqrt(square / (n - 1.0))) : Json(nullptr)},
+                 {"width_std_m", n > 1 ? finite_or_null(std::sqrt(square / (n - 1.0))) : Json(nullptr)},
                  {"stations", Json::array()}};
   const std::size_t count = channel.size(), parts = std::min<std::size_t>(stations, count);
   for (std::size_t part = parts; part-- > 0;) {
@@ -136,31 +133,32 @@ Json channel_json(const BreakingProcess& p) {
       width += channel[i].width / double(last - first);
       x += channel[i].x / double(last - first);
     }
-    result["stations"].push_back({{"astern_m", number(p.stem_x - x)}, {"width_m", number(width)}});
+    result["stations"].push_back(
+        {{"astern_m", finite_or_null(p.stem_x - x)}, {"width_m", finite_or_null(width)}});
   }
   return result;
 }
 
 Json energy_json(const EnergyShares& e) {
-  return {{"hull_work_J", number(e.hull_work)},
-          {"fracture", number(e.fracture)},
-          {"elastic", number(e.elastic)},
-          {"kinetic", number(e.kinetic)},
-          {"potential", number(e.potential)},
-          {"contact_loss", number(e.contact_loss)},
-          {"water", number(e.water)},
-          {"floe_contact", number(e.floe_contact)},
-          {"absorbed", number(e.absorbed)},
-          {"left_astern", number(e.left_astern)},
-          {"unexplained", number(e.unexplained)}};
+  return {{"hull_work_J", finite_or_null(e.hull_work)},
+          {"fracture", finite_or_null(e.fracture)},
+          {"elastic", finite_or_null(e.elastic)},
+          {"kinetic", finite_or_null(e.kinetic)},
+          {"potential", finite_or_null(e.potential)},
+          {"contact_loss", finite_or_null(e.contact_loss)},
+          {"water", finite_or_null(e.water)},
+          {"floe_contact", finite_or_null(e.floe_contact)},
+          {"absorbed", finite_or_null(e.absorbed)},
+          {"left_astern", finite_or_null(e.left_astern)},
+          {"unexplained", finite_or_null(e.unexplained)}};
 }
 
 }  // namespace
 
 Json process_json(const BreakingProcess& p) {
   const double l = p.characteristic_length;
-  return {{"thickness_m", number(p.thickness)},
-          {"characteristic_length_m", number(l)},
+  return {{"thickness_m", finite_or_null(p.thickness)},
+          {"characteristic_length_m", finite_or_null(l)},
           {"cracks", cracks_json(p.cracks)},
           {"breaking_length", breaking_length_json(p.breaking_length, l)},
           {"detached", detached_json(p.ice)},

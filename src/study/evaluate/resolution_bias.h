@@ -28,7 +28,7 @@ struct ResolutionBias {
 std::vector<ResolutionBias> parse_bias_table(const Json& table);
 const std::vector<ResolutionBias>& bias_table();
 
-// Of a case's lattice: {"known", "relative", "ci95", "sentence"}; null numbers where it is not known.
+// {"known", "relative", "ci95", "sentence"} for a case's lattice; null numbers where it is not known.
 Json resolution_bias_json(const Case& c, const std::vector<ResolutionBias>& table = bias_table());
 
 }  // namespace icebow

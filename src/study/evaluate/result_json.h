@@ -28,6 +28,9 @@ Json lindqvist_inputs_json(const LindqvistInputs& inputs);
 // Froude's law with lambda = full scale / simulated scale.
 Json metrics_json(const RunResult& run, double lambda);
 
+// How the run was computed, with the ice it was computed with (model scale).
+Json simulation_json(const RunResult& run, const IceMaterial& ice, double lambda);
+
 // Why the run ended: "advance reached" or "interval narrow enough"; null where it failed.
 Json ended_json(const RunResult& run);
 // [{"phase", "ms_per_step", "share", "max_ms_per_step"}], mean and maximum over the ranks; share of the

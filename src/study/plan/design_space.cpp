@@ -2,29 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <map>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "base/sha256.h"
-#include "study/evaluate/evaluate.h"
+#include "base/text.h"
+#include "study/evaluate/evaluation.h"
+#include "study/evaluate/evaluation_key.h"
 #include "study/plan/confirmation.h"
 #include "study/plan/repeats.h"
 #include "study/plan/sampling.h"
 #include "study/spec/model_notes.h"
-#include "study/spec/spec_case.h"
 
 namespace icebow {
 namespace {
-
-// The number at a JSON pointer; NaN where there is none.
-double number_at(const Json& document, const std::string& pointer) {
-  const Json::json_pointer at(pointer);
-  const bool known = document.contains(at) && document.at(at).is_number();
-  return known ? document.at(at).get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
 
 // What is swept where designs are confirmed later: everything but the simulation.
 void leave_out_simulation(Json& document) {
@@ -32,21 +26,25 @@ void leave_out_simulation(Json& document) {
   list.erase(std::remove(list.begin(), list.end(), Json("peridynamics")), list.end());
 }
 
-PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
-  PlannedDesign p;
-  p.design.name = name;
+// The values that a document gives the variables of the study's method.
+std::map<std::string, double> parameters_of(const StudySpec& spec, const Json& document) {
+  std::map<std::string, double> parameters;
   for (const Variable& variable : spec.method.variables) {
     const double value = number_at(document, variable.pointer);
-    if (std::isfinite(value)) p.design.parameters[variable.pointer] = value;
+    if (std::isfinite(value)) parameters[variable.pointer] = value;
   }
-  try {
-    p.key = evaluation_key(read_case(document, name), document);
-  } catch (const InputError& error) {
-    p.mistake = error.what();
-    p.key = sha256("rejected by the reader\n" + json_text(document));
-  }
-  p.design.document = std::move(document);
-  return p;
+  return parameters;
+}
+
+PlannedDesign with_key(Design design) {
+  const std::string key = design.given ? evaluation_key(*design.given, design.asked)
+                                       : sha256("rejected by the reader\n" + json_text(design.document));
+  return {std::move(design), key};
+}
+
+PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
+  std::map<std::string, double> parameters = parameters_of(spec, document);
+  return with_key(read_design(name, std::move(document), std::move(parameters)));
 }
 
 PlannedDesign swept(const StudySpec& spec, const std::string& name, Json document) {
@@ -112,11 +110,21 @@ class Plan {
 
 }  // namespace
 
+Design baseline_of(const StudySpec& spec) {
+  return {"baseline",
+          document_of_one(spec),
+          parameters_of(spec, spec.document),
+          {spec.use_lindqvist, spec.use_peridynamics, spec.use_cycle},
+          spec.baseline,
+          ""};
+}
+
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
   if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline);
   const Json own = document_of_one(spec);
-  if (spec.include_baseline) plan.add(swept(spec, "baseline", own));
+  if (spec.include_baseline)
+    plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(baseline_of(spec)));
   for (const NamedDesign& named : spec.designs) {
     Json document = own;
     document.merge_patch(named.set);
@@ -140,7 +148,7 @@ PlannedDesign design_at(const StudySpec& spec, const std::string& name, const st
 
 std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design) {
   std::vector<PlannedDesign> runs = {design};
-  if (!asks_for(design.design.document, "peridynamics")) return runs;  // the others would be the same
+  if (!design.design.asked.peridynamics) return runs;  // the others would be the same
   for (int number = 2; number <= spec.repeats; ++number) {
     runs.push_back(planned(spec, repeat_name(design.design.name, number),
                            repeat_document(design.design.document, number)));
@@ -164,15 +172,11 @@ std::vector<double> start_point(const StudySpec& spec) {
 }
 
 std::string numbered_name(int n) {
-  char name[16];
-  std::snprintf(name, sizeof name, "d%03d", n);
-  return name;
+  return text("d%03d", n);
 }
 
 double rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return std::strtod(text, nullptr);
+  return std::strtod(text("%.10g", value).c_str(), nullptr);
 }
 
 }  // namespace icebow

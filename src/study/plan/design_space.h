@@ -11,8 +11,7 @@ namespace icebow {
 
 struct PlannedDesign {
   Design design;
-  std::string key;      // see evaluation_key()
-  std::string mistake;  // why the design's document describes no ship; empty where it does
+  std::string key;  // see evaluation_key()
 };
 
 // What is known before anything runs. An optimiser proposes the rest as it goes.
@@ -25,6 +24,9 @@ struct StudyPlan {
 
 // A point of the method that the reader rejects is planned with its mistake: it becomes a failed design.
 StudyPlan plan_study(const StudySpec& spec);
+
+// The study file itself as a design, which the reader has read already.
+Design baseline_of(const StudySpec& spec);
 
 // The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);

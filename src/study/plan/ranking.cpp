@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/plan/repeats.h"
 
 namespace icebow {
@@ -13,29 +15,24 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-double number(const Json& result, const char* pointer) {
-  const Json::json_pointer at(pointer);
-  if (!result.is_structured() || !result.contains(at) || !result.at(at).is_number()) return nan_value;
-  return result.at(at).get<double>();
-}
-
 double mean_load(const Json& result) {
-  return number(result, "/metrics/full_scale/mean_load_N");
+  return number_at(result, result_key::mean_load);
 }
 double mean_load_ci95(const Json& result) {
-  return number(result, "/metrics/full_scale/mean_load_ci95_N");
+  return number_at(result, result_key::mean_load_ci95);
 }
 double lindqvist_breaking(const Json& result) {
-  return number(result, "/lindqvist/breaking_N");
+  return number_at(result, result_key::lindqvist_breaking);
 }
 double beam(const Json& result) {
-  return number(result, "/ship/B_m");
+  return number_at(result, result_key::beam);
 }  //!< [m]
 
 // A simulation says so; the cycle's load is whole where it has submersion.
 bool is_whole_load(const Json& result) {
-  const Json::json_pointer at("/simulation/load");
-  return result.contains(at) ? result.at(at) == "whole" : number(result, "/cycle/submersion_N") > 0.0;
+  const Json::json_pointer at(result_key::load_part);
+  return result.contains(at) ? result.at(at) == "whole"
+                             : number_at(result, result_key::cycle_submersion) > 0.0;
 }
 
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
@@ -74,11 +71,11 @@ RankedDesign described(const std::vector<Evaluation>& runs, const std::string& r
   row.mean_load_ci95 = all.runs > 1 ? all.repeats : all.series;
   if (rank_by == "mean_load") row.value = row.mean_load;
   if (rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(result);
-  row.cycle_load = number(result, "/cycle/mean_load_N");
-  row.cycle_ci95 = number(result, "/cycle/mean_load_ci95_N");
+  row.cycle_load = number_at(result, result_key::cycle_load);
+  row.cycle_ci95 = number_at(result, result_key::cycle_load_ci95);
   row.lindqvist_breaking = lindqvist_breaking(result);
   row.whole_load = is_whole_load(result);
-  row.lindqvist = row.whole_load ? number(result, "/lindqvist/total_N") : row.lindqvist_breaking;
+  row.lindqvist = row.whole_load ? number_at(result, result_key::lindqvist_total) : row.lindqvist_breaking;
   if (row.lindqvist > 0.0) row.ratio = row.mean_load / row.lindqvist;
   if (!std::isfinite(row.value) && row.evaluation.reason.empty())
     row.evaluation.reason = "has no " + rank_by + " to rank by";
@@ -151,11 +148,11 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
     const RankedDesign& row = ranking.rows[i];
     const Json& result = row.evaluation.result;
     if (row.tied_with_best) tied.push_back(row.evaluation.name);
-    const double bias = number(result, "/metrics/resolution_bias/relative");
-    const double spread = number(result, "/metrics/resolution_bias/ci95");
+    const double bias = number_at(result, result_key::bias);
+    const double spread = number_at(result, result_key::bias_ci95);
     if (!std::isfinite(bias)) {
       known = false;
-      const Json::json_pointer at("/metrics/resolution_bias/sentence");
+      const Json::json_pointer at(result_key::bias_sentence);
       const bool said = result.is_structured() && result.contains(at) && result.at(at).is_string();
       if (sentence.empty() && said) sentence = result.at(at).get<std::string>();
     } else if (i > 0 && row.value - ranking.rows[0].value < (std::fabs(bias) + spread) * row.value) {
@@ -259,20 +256,16 @@ std::vector<double> average_ranks(const std::vector<double>& values) {
   return ranks;
 }
 
-Json number_json(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json confirmed_json(const RatioFit& fit) {
   if (fit.designs == 0) return nullptr;
   return {{"designs", fit.designs},
-          {"ratio", number_json(std::exp(fit.constant))},
-          {"ratio_ln_standard_error", number_json(fit.constant_error)},
-          {"between_designs_ln", number_json(fit.between)},
+          {"ratio", finite_or_null(std::exp(fit.constant))},
+          {"ratio_ln_standard_error", finite_or_null(fit.constant_error)},
+          {"between_designs_ln", finite_or_null(fit.between)},
           {"variable", fit.variable},
-          {"slope_ln_per_unit", number_json(fit.slope)},
-          {"left_out_error_of_constant_ln", number_json(fit.error_of_constant)},
-          {"left_out_error_ln", number_json(fit.error)}};
+          {"slope_ln_per_unit", finite_or_null(fit.slope)},
+          {"left_out_error_of_constant_ln", finite_or_null(fit.error_of_constant)},
+          {"left_out_error_ln", finite_or_null(fit.error)}};
 }
 
 }  // namespace
@@ -286,7 +279,7 @@ double ranking_value(const Evaluation& e, const std::string& rank_by) {
   if (e.status != EvaluationStatus::ok) return nan_value;
   if (rank_by == "mean_load") return mean_load(e.result);
   if (rank_by == "lindqvist_breaking") return lindqvist_breaking(e.result);
-  if (rank_by == "cycle_load") return number(e.result, "/cycle/mean_load_N");
+  if (rank_by == "cycle_load") return number_at(e.result, result_key::cycle_load);
   return mean_load(e.result) / beam(e.result);
 }
 
@@ -338,19 +331,19 @@ Json to_json(const Ranking& ranking) {
                        {"status", to_string(e.status)},
                        {"reason", e.reason},
                        {"parameters", parameters_json(e.parameters)},
-                       {"mean_load_N", number_json(row.mean_load)},
-                       {"mean_load_ci95_N", number_json(row.mean_load_ci95)},
+                       {"mean_load_N", finite_or_null(row.mean_load)},
+                       {"mean_load_ci95_N", finite_or_null(row.mean_load_ci95)},
                        {"runs", row.runs},
-                       {"ci95_series_N", number_json(row.ci95_series)},
-                       {"ci95_repeats_N", number_json(row.ci95_repeats)},
-                       {"cycle_load_N", number_json(row.cycle_load)},
-                       {"cycle_load_ci95_N", number_json(row.cycle_ci95)},
-                       {"solver_load_N", number_json(row.solver_load)},
-                       {"solver_load_ci95_N", number_json(row.solver_ci95)},
-                       {"lindqvist_breaking_N", number_json(row.lindqvist_breaking)},
-                       {"lindqvist_N", number_json(row.lindqvist)},
+                       {"ci95_series_N", finite_or_null(row.ci95_series)},
+                       {"ci95_repeats_N", finite_or_null(row.ci95_repeats)},
+                       {"cycle_load_N", finite_or_null(row.cycle_load)},
+                       {"cycle_load_ci95_N", finite_or_null(row.cycle_ci95)},
+                       {"solver_load_N", finite_or_null(row.solver_load)},
+                       {"solver_load_ci95_N", finite_or_null(row.solver_ci95)},
+                       {"lindqvist_breaking_N", finite_or_null(row.lindqvist_breaking)},
+                       {"lindqvist_N", finite_or_null(row.lindqvist)},
                        {"lindqvist_part", row.whole_load ? "total" : "breaking"},
-                       {"ratio", number_json(row.ratio)},
+                       {"ratio", finite_or_null(row.ratio)},
                        {"rank", row.rank},
                        {"tied_with_next", row.tied_with_next},
                        {"tied_with_best", row.tied_with_best}});
@@ -360,7 +353,7 @@ Json to_json(const Ranking& ranking) {
           {"warnings", ranking.warnings},
           {"disagreements", ranking.disagreements},
           {"confirmed", confirmed_json(ranking.confirmed)},
-          {"spearman", number_json(ranking.spearman)},
+          {"spearman", finite_or_null(ranking.spearman)},
           {"spearman_n", ranking.spearman_n}};
 }
 

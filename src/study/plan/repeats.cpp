@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "solver/model/metrics.h"
+#include "solver/model/statistics.h"
 
 namespace icebow {
 

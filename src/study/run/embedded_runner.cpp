@@ -1,9 +1,9 @@
 // The root tells the other ranks by JSON text what comes next: {"evaluate": design, "directory": ...},
 // {"end": outcome} or {"error": message, "input": bool}.
 #include <chrono>
-#include <cstdio>
 
 #include "base/errors.h"
+#include "base/text.h"
 #include "study/run/crash_mark.h"
 #include "study/run/runner.h"
 #include "study/store/design_files.h"
@@ -135,9 +135,7 @@ void fail_embedded(const Communicator& comm, const std::exception& error) {
 }
 
 std::string time_limit_reason(double limit_s) {
-  char text[96];
-  std::snprintf(text, sizeof text, "longer than the time limit of %g s (execution/time_limit_s)", limit_s);
-  return text;
+  return text("longer than the time limit of %g s (execution/time_limit_s)", limit_s);
 }
 
 }  // namespace icebow

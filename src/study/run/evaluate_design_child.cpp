@@ -24,7 +24,7 @@ std::map<std::string, std::string> parse(const std::vector<std::string>& argumen
 }
 
 // The root reads the file, so the other ranks need not see it. A mistake is everybody's.
-Design read_design(const Communicator& comm, const std::string& path) {
+Design received_design(const Communicator& comm, const std::string& path) {
   Json message = Json::object();
   if (comm.is_root()) {
     try {
@@ -40,7 +40,7 @@ Design read_design(const Communicator& comm, const std::string& path) {
 
 void evaluate_to_file(const Communicator& comm, const std::map<std::string, std::string>& options,
                       const EvaluateFunction& evaluator) {
-  const Design design = read_design(comm, options.at("--design-json"));
+  const Design design = received_design(comm, options.at("--design-json"));
   EvaluateOptions evaluate_options;
   evaluate_options.directory = options.at("--out");
   evaluate_options.on_progress = [](const Progress& p) { std::cout << progress_line(p) << std::endl; };

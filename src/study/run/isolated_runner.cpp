@@ -11,7 +11,6 @@
 #include "study/evaluate/progress_json.h"
 #include "study/run/child_process.h"
 #include "study/run/runner.h"
-#include "study/spec/spec_case.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -104,12 +103,12 @@ class IsolatedRunner : public Runner {
 };
 
 bool IsolatedRunner::is_infeasible(const Design& design) const {
-  return has_violated_margin(context_.settings.margins(read_case(design.document, design.name)));
+  return has_violated_margin(context_.settings.margins(design.given.value()));
 }
 
 // The cycle takes a second: a process of its own would cost as much again.
 bool IsolatedRunner::is_quick(const Design& design) const {
-  return asks_for(design.document, "cycle") && !asks_for(design.document, "peridynamics");
+  return design.asked.cycle && !design.asked.peridynamics;
 }
 
 Evaluation IsolatedRunner::evaluated_here(const Design& design, const std::string& directory) const {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/errors.h"
 #include "study/evaluate/calibration.h"
@@ -15,7 +16,6 @@
 #include "study/run/runner.h"
 #include "study/run/study_directory.h"
 #include "study/spec/case_hull.h"
-#include "study/spec/spec_case.h"
 #include "study/store/design_files.h"
 #include "study/store/store.h"
 
@@ -38,7 +38,8 @@ class StudyLoop {
   void run_optimiser();
   void confirm();
   double value_at(const std::vector<double>& x);
-  std::vector<double> margins_at(const std::vector<double>& x) const;
+  std::vector<double> margins_at(const std::vector<double>& x);
+  const std::vector<PlannedDesign>& proposed(const std::vector<double>& x);
 
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
@@ -58,7 +59,9 @@ class StudyLoop {
   std::map<std::string, PlannedDesign> under_way_;  // by name
   std::map<std::string, Design> designs_;           // by key: as they were planned
   std::map<std::string, double> values_;            // by key: what this study has seen
-  int numbered_ = 0;                                // designs named by the optimiser so far
+  std::vector<PlannedDesign> proposed_;             // the runs of the point proposed last
+  std::vector<double> proposed_at_;
+  int numbered_ = 0;  // designs named by the optimiser so far
   StudyOutcome outcome_;
 };
 
@@ -86,8 +89,7 @@ StudyOutcome StudyLoop::run(std::vector<std::string> notes) {
 std::vector<Case> simulated_cases(const StudyPlan& plan) {
   std::vector<Case> cases;
   for (const PlannedDesign& planned : plan.designs) {
-    if (!planned.mistake.empty() || !asks_for(planned.design.document, "peridynamics")) continue;
-    cases.push_back(read_case(planned.design.document, planned.design.name));
+    if (planned.design.given && planned.design.asked.peridynamics) cases.push_back(*planned.design.given);
   }
   return cases;
 }
@@ -134,9 +136,19 @@ void StudyLoop::confirm() {
   evaluate_all(runs);
 }
 
+// A proposed point's runs. The optimiser asks for the margins and for the value of a point, one after the
+// other.
+const std::vector<PlannedDesign>& StudyLoop::proposed(const std::vector<double>& x) {
+  if (proposed_.empty() || x != proposed_at_) {
+    proposed_ = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
+    proposed_at_ = x;
+  }
+  return proposed_;
+}
+
 // A point the study has met already, the baseline for one, keeps the name it has.
 double StudyLoop::value_at(const std::vector<double>& x) {
-  const std::vector<PlannedDesign> runs = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
+  const std::vector<PlannedDesign>& runs = proposed(x);
   if (values_.count(runs.front().key) == 0) {
     ++numbered_;
     for (const PlannedDesign& run : runs) store_.add_to_study(run.key);
@@ -147,13 +159,11 @@ double StudyLoop::value_at(const std::vector<double>& x) {
   return repeated_mean(values, values).mean;
 }
 
-std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) const {
-  const PlannedDesign planned = design_at(spec_, "", x);
+std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) {
+  const std::optional<Case>& given = proposed(x).front().design.given;
   std::vector<double> values;
-  const bool readable = planned.mistake.empty();
-  const Case c = readable ? read_case(planned.design.document, "") : spec_.baseline;
-  for (const Margin& margin : settings_.margins(c)) {
-    if (margin.required) values.push_back(readable ? margin.value : -1.0);
+  for (const Margin& margin : settings_.margins(given ? *given : spec_.baseline)) {
+    if (margin.required) values.push_back(given ? margin.value : -1.0);
   }
   return values;
 }
@@ -175,12 +185,12 @@ void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
 // Whether there is nothing to evaluate.
 bool StudyLoop::recall(const PlannedDesign& planned) {
   settle_name(store_, settings_.directory, planned.design.name, planned.key);
-  if (!planned.mistake.empty()) {
+  if (!planned.design.given) {
     under_way_[planned.design.name] = planned;
     clear_design_directory(settings_.directory, planned.design.name);
     Evaluation rejected;
     rejected.name = planned.design.name;
-    rejected.reason = planned.mistake;
+    rejected.reason = planned.design.mistake;
     finish(rejected);
     return true;
   }

@@ -8,8 +8,8 @@
 
 namespace icebow {
 
-// Of the study file's own values, in the words of docs/validation.md; empty where nothing is known. Designs
-// that change them are not looked at.
+// Notes on the study file's own values, in the words of docs/validation.md; empty where nothing is known.
+// Designs that change them are not looked at.
 std::vector<std::string> model_notes(const Case& c);
 
 }  // namespace icebow

@@ -1,8 +1,9 @@
 #include "study/spec/spec_hints.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
+
+#include "base/text.h"
 
 namespace icebow {
 namespace {
@@ -56,9 +57,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 std::string brief(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  return text("%.6g", value);
 }
 
 std::string listed(const std::vector<std::string>& words) {

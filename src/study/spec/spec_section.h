@@ -31,7 +31,7 @@ class Section {
   int integer(const std::string& key) const;  // 0 where wrong: its mistake is noted already
   bool boolean(const std::string& key) const;
   std::string text(const std::string& key, const std::string& fallback) const;
-  // Of the key as it is spelled in the file, or in the table where it is not given.
+  // Pointer to the key as the file spells it, or as the table does where it is not given.
   std::string pointer(const std::string& key) const;
   // Notes a mistake where a key is missing that another one asks for, or given though another one forbids it:
   // `because` says which, and what to do.

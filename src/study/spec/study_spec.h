@@ -53,6 +53,11 @@ struct Case {
   CycleSettings cycle;
 };
 
+// Who evaluates a design.
+struct Evaluators {
+  bool lindqvist = true, peridynamics = true, cycle = false;
+};
+
 enum class MethodType { list, grid, latin_hypercube, optimise };
 
 // One parameter a method may change: a JSON pointer into the study file and its range, in the file's unit.

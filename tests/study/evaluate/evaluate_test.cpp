@@ -6,6 +6,7 @@
 
 #include "formula/lindqvist.h"
 #include "study/evaluate/evaluator_inputs.h"
+#include "study/evaluate/result_keys.h"
 #include "study/spec/spec_case.h"
 #include "tests/support/fake_study.h"
 #include "tests/support/main.h"
@@ -19,12 +20,9 @@ constexpr const char* coarse =
   "sheet": {"length_m": 40, "width_m": 50}, "operation": {"speed_kn": 6, "advance_m": 6, "steady_from_m": 2}})";
 
 Design design_of(const std::string& patch) {
-  Design design;
-  design.name = "one";
-  design.document = fake_document(coarse);
-  design.document.merge_patch(Json::parse(patch));
-  design.parameters = {{"/bow/stem_deg", 25.0}};
-  return design;
+  Json document = fake_document(coarse);
+  document.merge_patch(Json::parse(patch));
+  return read_design("one", document, {{"/bow/stem_deg", 25.0}});
 }
 
 Evaluation evaluated(const std::string& patch, const EvaluateOptions& options = {}) {
@@ -47,7 +45,7 @@ TEST_CASE("a design becomes a result with all its files, the same on every rank"
   INFO(e.reason);
   REQUIRE(e.status == EvaluationStatus::ok);
   CHECK(json_text(to_json(e)) == test_world().broadcast(json_text(to_json(e))));
-  CHECK(e.key == evaluation_key(read_case(design_of("{}").document, ""), true, true));
+  CHECK(e.key == evaluation_key(design_of("{}").given.value(), {true, true}));
   const Json& r = e.result;
   CHECK(r.at("metrics").at("full_scale").at("mean_load_N").get<double>() > 0.0);
   CHECK(r.at("metrics").at("full_scale").at("mean_load_N").get<double>() ==
@@ -56,6 +54,7 @@ TEST_CASE("a design becomes a result with all its files, the same on every rank"
   CHECK(r.at("hull").at("feasible") == true);
   CHECK(r.at("parameters").at("/bow/stem_deg") == 25.0);
   CHECK(r.at("simulation").at("nz") == 1);
+  for (const std::string& key : result_key::all()) CHECK(r.contains(Json::json_pointer(key)) == true);
   CHECK(r.at("simulation").at("lambda") == 25);
   CHECK(r.at("provenance").at("ranks") == test_world().size());
   if (test_world().is_root()) {
@@ -178,7 +177,7 @@ TEST_CASE("submersion is left out, or by the formula, where the study says so") 
   };
   const Json alone = load(R"("submersion": false)"), formula = load(R"("submersion_by": "lindqvist")");
   CHECK(alone.at("submersion_N") == 0.0);
-  const LindqvistResult lindqvist_says = lindqvist(lindqvist_inputs(read_case(design_of("{}").document, "")));
+  const LindqvistResult lindqvist_says = lindqvist(lindqvist_inputs(design_of("{}").given.value()));
   CHECK(formula.at("mean_load_N").get<double>() - alone.at("mean_load_N").get<double>() ==
         Approx(lindqvist_says.total - lindqvist_says.breaking));
 }

@@ -66,25 +66,37 @@ TEST_CASE("a key hangs on every field, to the last bit") {
       [&](Case& c) { ++c.snapshots; },
       [&](Case& c) { ++c.pictures; },
       [&](Case& c) { c.snapshot_format = SnapshotFormat::vtkhdf; }};
-  std::set<std::string> keys = {evaluation_key(base, true, true), evaluation_key(base, false, true),
-                                evaluation_key(base, true, false)};
+  std::set<std::string> keys = {evaluation_key(base, {true, true}), evaluation_key(base, {false, true}),
+                                evaluation_key(base, {true, false})};
   for (const auto& change : changes) {
     Case c = base;
     change(c);
-    keys.insert(evaluation_key(c, true, true));
+    keys.insert(evaluation_key(c, {true, true}));
   }
   CHECK(keys.size() == changes.size() + 3);
 }
 
 TEST_CASE("a key is of the ship, not of how it is written") {
-  const auto key = [](const char* patch) { return evaluation_key(fake_study(patch).baseline, true, true); };
+  const auto key = [](const char* patch) { return evaluation_key(fake_study(patch).baseline, {true, true}); };
   CHECK(key("{}") == key(R"({"name": "other", "bow": {"stem_deg": 25.0}})"));
   CHECK(key("{}") ==
         key(R"({"method": {"type": "grid", "variables": {"/bow/stem_deg": {"values": [20, 30]}}}})"));
 }
 
 TEST_CASE("evaluators of a document: both unless it says") {
-  CHECK(asks_for(fake_document(), "lindqvist"));
-  CHECK(asks_for(fake_document(), "peridynamics"));
-  CHECK_FALSE(asks_for(fake_document(R"({"evaluators": ["lindqvist"]})"), "peridynamics"));
+  CHECK(evaluators_of(fake_document()).lindqvist);
+  CHECK(evaluators_of(fake_document()).peridynamics);
+  CHECK_FALSE(evaluators_of(fake_document(R"({"evaluators": ["lindqvist"]})")).peridynamics);
+}
+
+TEST_CASE("a design is read once, and its mistake is its own") {
+  const Design good = read_design("one", fake_document());
+  REQUIRE(good.given.has_value());
+  CHECK(good.mistake.empty());
+  CHECK(evaluation_key(*good.given, good.asked) == evaluation_key(fake_study().baseline, {true, true}));
+  const Design sunk = read_design("two", fake_document(R"({"bow": {"draft_m": 20}})"));
+  CHECK_FALSE(sunk.given.has_value());
+  CHECK(sunk.mistake.find("/bow/draft") != std::string::npos);
+  const Design there = design_from_json(Json::parse(to_json(good).dump()));
+  CHECK(evaluation_key(there.given.value(), there.asked) == evaluation_key(*good.given, good.asked));
 }

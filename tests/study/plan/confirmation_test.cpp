@@ -137,13 +137,13 @@ TEST_CASE("a study that confirms sweeps without the simulation, and simulates wh
   CHECK_FALSE(spec.use_peridynamics);
   const StudyPlan plan = plan_study(spec);
   for (const PlannedDesign& planned : plan.designs) {
-    CHECK_FALSE(asks_for(planned.design.document, "peridynamics"));
+    CHECK_FALSE(planned.design.asked.peridynamics);
     CHECK(planned.design.name.find('#') == std::string::npos);  // the cycle would give the same again
   }
   const std::vector<PlannedDesign> runs = confirmations(spec, plan.designs.front().design);
   REQUIRE(runs.size() == 2);
   CHECK(runs[0].design.name == "baseline@solver");
   CHECK(runs[1].design.name == "baseline@solver#2");
-  CHECK(asks_for(runs[0].design.document, "peridynamics"));
-  CHECK_FALSE(asks_for(runs[0].design.document, "cycle"));
+  CHECK(runs[0].design.asked.peridynamics);
+  CHECK_FALSE(runs[0].design.asked.cycle);
 }

@@ -65,9 +65,9 @@ TEST_CASE("a point the reader rejects is planned with its mistake") {
   const StudySpec spec = fake_study(R"({"method": {"type": "optimise", "variables": {
     "/bow/draft_m": {"min": 6, "max": 12}, "/bow/depth_m": {"min": 10, "max": 16}}}})");
   const PlannedDesign sunk = design_at(spec, "d001", {11, 12});  // in the order of the pointers: depth, draft
-  CHECK_THAT(sunk.mistake, Catch::Contains("/bow/d"));
+  CHECK_THAT(sunk.design.mistake, Catch::Contains("/bow/d"));
   CHECK_FALSE(sunk.key.empty());
-  CHECK(design_at(spec, "d001", {16, 6}).mistake.empty());
+  CHECK(design_at(spec, "d001", {16, 6}).design.mistake.empty());
   CHECK(plan_study(spec).proposals == 60);
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("a file is meant from the study's directory, and a design may have ano
 }
 
 TEST_CASE("the key hangs on what the file holds and how it is read, not on where it lies") {
-  const auto key = [](const Case& c) { return evaluation_key(c, true, true); };
+  const auto key = [](const Case& c) { return evaluation_key(c, {true, true}); };
   const TemporaryDirectory scratch;
   const std::string text = read_text_file(mesh_file);
   const auto with_file = [&](const std::string& name, const std::string& content) {

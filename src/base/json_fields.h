@@ -1,12 +1,18 @@
-// Reading a stored result: any key may be absent, so every look-up has an answer.
+// Numbers and words of a JSON tree in which any key may be absent: every look-up has an answer.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "base/json.h"
 
 namespace icebow {
+
+// JSON has no number for what is not finite.
+inline Json finite_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 // `pointer` like "/metrics/full_scale/mean_load_N". NaN where it is absent, null or no number.
 inline double number_at(const Json& json, const std::string& pointer) {
