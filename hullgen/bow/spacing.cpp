@@ -38,7 +38,7 @@ double curvature_radius(const Curve& curve, double u0, double u1, double u) {
   const double low = std::min(u0, u1), high = std::max(u0, u1), step = 1e-3 * (high - low);
   const double middle = std::clamp(u, low + step, high - step);
   const Vec3 a = curve(middle - step), b = curve(middle), c = curve(middle + step);
-  // Of the circle through the three points: product of the sides over four times the area.
+  // Radius of the circle through the three points: product of the sides over four times the area.
   const double four_areas = 2.0 * (b - a).cross(c - a).norm();
   return (b - a).norm() * (c - b).norm() * (c - a).norm() / four_areas;
 }

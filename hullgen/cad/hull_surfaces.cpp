@@ -87,7 +87,8 @@ SplineCurve at_transom(double L, SplineCurve side) {
   return side;
 }
 
-// Of the ring a flat face has to port, from the centreline outwards and aft, both sides and what joins them.
+// A flat face from its ring to port, which runs from the centreline outwards and aft: both sides and their
+// joint.
 FlatFace symmetric_face(std::vector<SplineCurve> port, const std::vector<SplineCurve>& joint) {
   FlatFace face{port};
   face.ring.insert(face.ring.end(), joint.begin(), joint.end());

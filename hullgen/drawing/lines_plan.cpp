@@ -66,7 +66,7 @@ void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& hull) {
   table.row("flare", "derived", degree_text(hull.flare_at_stem), "CL, DWL");
 }
 
-// Of two hulls, as measured on their meshes.
+// The angles of two hulls, as measured on their meshes.
 void draw_angles(SvgCanvas& svg, Pixel corner, const Hull& first, const Hull& second) {
   Table table(svg, corner);
   const BowAngles &a = first.measured, &b = second.measured;

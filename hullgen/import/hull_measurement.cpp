@@ -17,8 +17,8 @@ namespace icebow {
 namespace {
 
 constexpr double window_share = 1.0 / 40.0;  // of the beam
-// Of the beam. Corners of a cut that are nearer to each other count as one: where a diagonal crosses the cut
-// close to an edge, the slope between the two is noise.
+// A share of the beam. Corners of a cut that are nearer to each other count as one: where a diagonal crosses
+// the cut close to an edge, the slope between the two is noise.
 constexpr double same_share = 1.0 / 200.0;
 constexpr double reach_share =
     1.0 / 4.0;  // of the beam: how far points may be that say what the surface does

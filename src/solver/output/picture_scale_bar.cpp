@@ -1,7 +1,7 @@
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
+#include "base/text.h"
 #include "solver/output/picture_canvas.h"
 
 namespace icebow {
@@ -16,15 +16,18 @@ constexpr std::uint8_t glyphs[][7] = {
     {14, 17, 17, 15, 1, 2, 12},   {0, 0, 0, 0, 0, 12, 12},  {0, 0, 26, 21, 21, 21, 21},
 };
 
-void draw_text(Canvas& canvas, const char* text, double left, double bottom, double dot, const Color& color) {
-  for (; *text; ++text, left += 6 * dot) {
-    const char* place = std::strchr(glyph_names, *text);
+void draw_text(Canvas& canvas, const std::string& words, double left, double bottom, double dot,
+               const Color& color) {
+  for (const char letter : words) {
+    const double letter_left = left;
+    left += 6 * dot;
+    const char* place = std::strchr(glyph_names, letter);
     if (!place) continue;  // a space
     const std::uint8_t* glyph = glyphs[place - glyph_names];
     for (int row = 0; row < 7; ++row)
       for (int column = 0; column < 5; ++column)
         if (glyph[row] >> (4 - column) & 1) {
-          const double x = left + column * dot, y = bottom + (6 - row) * dot;
+          const double x = letter_left + column * dot, y = bottom + (6 - row) * dot;
           canvas.rectangle(x, y, x + dot, y + dot, color);
         }
   }
@@ -47,9 +50,8 @@ void draw_scale_bar(Canvas& canvas) {
   const double length = metres / canvas.metres_per_pixel();
   if (canvas.width() < 100 || canvas.height() < 6 * margin) return;  // no room
 
-  char label[32];
-  std::snprintf(label, sizeof label, "%g m", metres);
-  const double text_width = (6.0 * static_cast<double>(std::strlen(label)) - 1.0) * dot;
+  const std::string label = text("%g m", metres);
+  const double text_width = (6.0 * static_cast<double>(label.size()) - 1.0) * dot;
   const double plate = std::max(length, text_width) + 2 * margin;
   canvas.rectangle(0.5 * margin, 0.5 * margin, 0.5 * margin + plate, 0.5 * margin + 21 * dot, paper);
   const double left = 1.5 * margin, bottom = 0.5 * margin + 4 * dot;

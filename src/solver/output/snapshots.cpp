@@ -1,9 +1,10 @@
 #include "solver/output/snapshots.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/collective.h"
 #include "base/errors.h"
+#include "base/text.h"
 #include "solver/ice/local_cloud.h"
 #include "solver/output/picture.h"
 #include "solver/output/vtkhdf.h"
@@ -11,12 +12,6 @@
 
 namespace icebow {
 namespace {
-
-std::string numbered(const char* format, int n) {
-  char name[32];
-  std::snprintf(name, sizeof name, format, n);
-  return name;
-}
 
 // The n-th of `count` moments, the last one at the end of the run.
 bool due(int written, int count, double advance, double total) {
@@ -57,26 +52,14 @@ bool Snapshots::write_due(const Stepper& stepper, double advance) {
   if (paraview) write_paraview(stepper);
   if (picture) {
     const SheetState state = gather_state(comm_, stepper.sheet());
-    together([&] { write_picture(state, advance, stepper.hull_x()); });
+    act_together(comm_, [&] { write_picture(state, advance, stepper.hull_x()); });
   }
   return true;
 }
 
-// A full disk on one rank must not leave the others waiting.
-template <class Write>
-void Snapshots::together(const Write& write) const {
-  std::string trouble;
-  try {
-    write();
-  } catch (const RuntimeError& error) {
-    trouble = error.what();
-  }
-  fail_together(comm_, trouble);
-}
-
 void Snapshots::write_paraview(const Stepper& stepper) {
-  const std::string ice = write_ice(numbered("ice_%04d", snapshots_), local_cloud(comm_, stepper.sheet()));
-  together([&] {
+  const std::string ice = write_ice(text("ice_%04d", snapshots_), local_cloud(comm_, stepper.sheet()));
+  act_together(comm_, [&] {
     if (comm_.is_root()) write_hull_and_lists(stepper.time(), stepper.hull_x(), ice);
   });
   ++snapshots_;
@@ -93,16 +76,16 @@ std::string Snapshots::write_ice(const std::string& stem, const IceCloud& own) {
   for (int rank = 0; rank < comm_.size(); ++rank)
     pieces.push_back(stem + "_p" + std::to_string(rank) + ".vtp");
   if (comm_.size() == 1) pieces = {stem + ".vtp"};
-  together([&] { write_ice_vtp(folder + pieces[comm_.rank()], own); });
+  act_together(comm_, [&] { write_ice_vtp(folder + pieces[comm_.rank()], own); });
   if (comm_.size() == 1) return pieces[0];
-  together([&] {
+  act_together(comm_, [&] {
     if (comm_.is_root()) write_ice_pvtp(folder + stem + ".pvtp", pieces);
   });
   return stem + ".pvtp";
 }
 
 void Snapshots::write_hull_and_lists(double time, double hull_x, const std::string& ice) {
-  const std::string folder = options_.directory + "/", hull = numbered("hull_%04d.vtp", snapshots_);
+  const std::string folder = options_.directory + "/", hull = text("hull_%04d.vtp", snapshots_);
   write_hull_vtp(folder + hull, hull_, hull_x);
   ice_steps_.emplace_back(time, ice);
   hull_steps_.emplace_back(time, hull);
@@ -115,7 +98,7 @@ void Snapshots::write_hull_and_lists(double time, double hull_x, const std::stri
 }
 
 void Snapshots::write_picture(const SheetState& state, double advance, double hull_x) {
-  const std::string name = numbered("ice_%03d.png", static_cast<int>(pictures_.size()));
+  const std::string name = text("ice_%03d.png", static_cast<int>(pictures_.size()));
   pictures_.push_back(name);
   picture_advance_.push_back(advance);
   if (!comm_.is_root()) return;

@@ -32,8 +32,6 @@ class Snapshots {
   void restore(const Json& record);
 
  private:
-  template <class Write>
-  void together(const Write& write) const;
   void write_paraview(const Stepper& stepper);
   std::string write_ice(const std::string& stem, const IceCloud& own);
   void write_hull_and_lists(double time, double hull_x, const std::string& ice);

@@ -1,10 +1,10 @@
 #include "solver/run/case_text.h"
 
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <sstream>
 
+#include "base/text.h"
 #include "solver/model/describe_scenario.h"
 #include "solver/model/described_text.h"
 
@@ -34,20 +34,14 @@ std::string hull_checksum(const QuadMesh& hull) {
   for (const auto& quad : hull.quads) {
     for (const auto corner : quad) sum.add(corner);
   }
-  char text[32];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(sum.value()));
-  return text;
+  return text("%016llx", static_cast<unsigned long long>(sum.value()));
 }
 
 // Numbers to their last bit.
 struct Spelling {
   static constexpr const char* equals = " = ";
   static constexpr bool with_following = true;
-  static std::string spelled(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
-  }
+  static std::string spelled(double value) { return text("%.17g", value); }
   static std::string spelled(int value) { return std::to_string(value); }
   static std::string spelled(bool value) { return value ? "1" : "0"; }
   static std::string spelled(const std::string& value) { return value; }
@@ -71,11 +65,11 @@ std::map<std::string, std::string> values_of(const std::string& text) {
 }  // namespace
 
 std::string case_text(const QuadMesh& hull, const Scenario& scenario, const RunOptions& options) {
-  DescribedText<Spelling> text;
-  describe(text, scenario);
-  describe_output(text, options.seed, options.snapshots, options.pictures, options.snapshot_format);
-  text.field("hull", hull_checksum(hull));
-  return text.str();
+  DescribedText<Spelling> words;
+  describe(words, scenario);
+  describe_output(words, options.seed, options.snapshots, options.pictures, options.snapshot_format);
+  words.field("hull", hull_checksum(hull));
+  return words.str();
 }
 
 std::string case_difference(const std::string& there, const std::string& here) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "base/collective.h"
 #include "base/errors.h"
+#include "base/text.h"
 #include "geometry/hull_distance.h"
 #include "solver/contact/contact.h"
 #include "solver/ice/sheet_state.h"
@@ -26,13 +27,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[320];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
 }
 
 void check_window(const QuadMesh& hull, const Scenario& s) {
@@ -133,7 +127,7 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
     measure_sheet(state, state.lattice.first * state.lattice.dx, stepper.hull_x() - entrance_length(hull),
                   box.upper.y() - box.lower.y(), metrics);
   }
-  comm.broadcast(&metrics, sizeof metrics);
+  broadcast(comm, metrics);
   return metrics;
 }
 

@@ -41,7 +41,7 @@ double load_radius(const Lattice& l) {
   return std::sqrt(columns / pi) * l.dx;
 }
 
-// Of the four columns in the middle under a force of 1 N [m].
+// How far the four columns in the middle go down under a force of 1 N [m].
 double deflection(const Scenario& s) {
   StillIce plate(s, Surroundings::water);
   const Lattice& l = plate.ice.lattice;

@@ -9,14 +9,14 @@
 
 namespace icebow {
 
-// Of a bond, for small displacements.
+// A bond's stretch, for small displacements.
 inline double stretch(const StillIce& ice, int i, int j, int k, const Offset& o) {
   const double dx = ice.ice.lattice.dx;
   const Vec3 xi(o.di * dx, o.dj * dx, o.dk * dx);
   return xi.dot(ice.u(i + o.di, j + o.dj, k + o.dk) - ice.u(i, j, k)) / (o.length * o.length);
 }
 
-// Of a bond, its stretch or the normal stress across it over what breaks it; in proportion to the load.
+// A bond's stretch, or the normal stress across it, over what breaks it; in proportion to the load.
 inline double demand(const StillIce& ice, int i, int j, int k, const Offset& o) {
   const Material& m = ice.ice.material;
   const double s = stretch(ice, i, j, k, o);

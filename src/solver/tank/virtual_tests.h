@@ -35,8 +35,8 @@ struct SheetAround {
 // beam's. The port half is computed.
 BeamTest virtual_in_situ_test(const Scenario& scenario, Push push, const SheetAround& around = {});
 
-// Of the unbroken beam in so large a sheet that its end hardly matters [Pa]. A sheet that suffices for the
-// strength is too small for this: the whole sheet turns and sinks under the beam's root.
+// Modulus of the unbroken beam in a sheet so large that its end hardly matters [Pa]. A sheet that suffices
+// for the strength is too small for this: the whole sheet turns and sinks under the beam's root.
 double in_situ_modulus(const Scenario& scenario, const SheetAround& around = {20, 20, 20, SheetEdges::held});
 
 // A square sheet afloat, simply supported, with a load over a disc of radius h in its middle. Modulus of the

@@ -25,7 +25,7 @@ struct Tally {
   }
 };
 
-// Of a rank's own columns. Every bond counts at both of its ends.
+// Broken bonds of a rank's own columns. Every bond counts at both of its ends.
 class Tallies {
  public:
   explicit Tallies(const IceSheet& sheet)

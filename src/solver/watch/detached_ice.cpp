@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t floe_values = 6, station_values = 2;
 
-// Of a particle, the same however far the window has moved.
+// Number of a particle: it stays the same however far the window moves.
 std::int64_t key(const Lattice& lattice, int i, int j, int k) {
   return (std::int64_t(lattice.first + i) * lattice.ny + j) * lattice.nz + k;
 }

@@ -7,7 +7,7 @@ namespace icebow {
 namespace {
 
 constexpr std::int64_t steps_per_evaluation = 1000;
-// Of the work done: above what is seen in sound runs (docs/verification.md), far below a blow-up.
+// Share of the work done: above what sound runs show (docs/verification.md), far below a blow-up.
 constexpr double tolerated = 0.25;
 
 double gain(const HistoryRow& row) {

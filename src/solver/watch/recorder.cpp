@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/text.h"
 #include "solver/model/record_interval.h"
 #include "solver/watch/runaway.h"
 
@@ -86,25 +86,24 @@ bool Recorder::sample(Stepper& stepper, std::string& reason) {
 std::string Recorder::describe_failure(const Stepper& stepper, const Motion& m, double fastest) const {
   const int holder = static_cast<int>(comm_.max(m.fastest == fastest ? comm_.rank() : -1.0));
   std::string place;
-  char text[256];
   if (comm_.rank() == holder) {
     const IceSheet& sheet = stepper.sheet();
     const Layout& layout = sheet.layout;
     const Layout::Place at = layout.place(m.where);
-    std::snprintf(text, sizeof text, "the particle first at x = %.3f m, y = %.3f m is the fastest (%.3g m/s)",
-                  sheet.lattice.x(layout.i0 + at.il), sheet.lattice.y(layout.j0 + at.jl), fastest);
-    place = text + std::string("; likely cause: ") + likely_cause(stepper, m.where, dt_limit_);
+    place = text("the particle first at x = %.3f m, y = %.3f m is the fastest (%.3g m/s); likely cause: ",
+                 sheet.lattice.x(layout.i0 + at.il), sheet.lattice.y(layout.j0 + at.jl), fastest) +
+            likely_cause(stepper, m.where, dt_limit_);
   }
   place = comm_.broadcast(place, holder);
   const HistoryRow& row = history_.rows.back();
-  std::snprintf(text, sizeof text, "unstable at step %lld (t = %.4g s, advance %.4g m): ",
-                static_cast<long long>(stepper.steps()), row.t, row.advance);
-  std::string words = text;
+  const std::string words =
+      text("unstable at step %lld (t = %.4g s, advance %.4g m): ", static_cast<long long>(stepper.steps()),
+           row.t, row.advance);
   if (fastest > fastest_allowed_) return words + "ice moves faster than sound: " + place;
-  std::snprintf(text, sizeof text,
-                "the ice has gained %.3g J that nobody gave it (hull's work %.3g J): ", watch_.surplus(),
-                row.hull_work);
-  return words + text + place;
+  return words +
+         text("the ice has gained %.3g J that nobody gave it (hull's work %.3g J): ", watch_.surplus(),
+              row.hull_work) +
+         place;
 }
 
 }  // namespace icebow

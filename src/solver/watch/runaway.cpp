@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/text.h"
 
 namespace icebow {
 namespace {
@@ -43,23 +44,18 @@ Stretches stretches(const IceSheet& sheet, const Place& at, std::size_t p) {
 
 std::string likely_cause(const Stepper& stepper, std::size_t p, double dt_limit) {
   const IceSheet& sheet = stepper.sheet();
-  char text[160];
-  if (dt_limit > 0.0 && stepper.dt() > dt_limit) {
-    std::snprintf(text, sizeof text, "the time step is %.3g times the stability limit",
-                  stepper.dt() / dt_limit);
-    return text;
-  }
+  if (dt_limit > 0.0 && stepper.dt() > dt_limit)
+    return text("the time step is %.3g times the stability limit", stepper.dt() / dt_limit);
   const Place at = sheet.layout.place(p);
   if (stepper.ledger().beside_hull(sheet, position(sheet, at, p), 2.0 * stepper.material().delta))
     return "contact: the hull is beside it; take a smaller time step or another contact rule";
   const Stretches found = stretches(sheet, at, p);
-  if (found.least < -0.05 || found.most > 2.0 * stepper.material().s0) {
-    std::snprintf(text, sizeof text,
-                  "the ice there is strained from %.1f to %.1f %%, stiffer than the stability limit takes it "
-                  "to be; take a smaller time step",
-                  100.0 * found.least, 100.0 * found.most);
-    return text;
-  }
+  if (found.least < -0.05 || found.most > 2.0 * stepper.material().s0)
+    return text(
+        "the ice there is strained from %.1f to %.1f %%, stiffer than the stability limit takes it to be; "
+        "take a "
+        "smaller time step",
+        100.0 * found.least, 100.0 * found.most);
   return "not known: neither the hull nor strained ice is near; take a smaller time step";
 }
 

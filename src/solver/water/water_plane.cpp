@@ -28,7 +28,7 @@ double inverse_distance(double x, double y) {
   return sum;
 }
 
-// Of a unit square whose centre is (x, y) from the origin.
+// Integral of 1/r over a unit square whose centre is (x, y) from the origin.
 double inverse_distance_of_cell(double x, double y) {
   return inverse_distance(x + 0.5, y + 0.5) - inverse_distance(x - 0.5, y + 0.5) -
          inverse_distance(x + 0.5, y - 0.5) + inverse_distance(x - 0.5, y - 0.5);
