@@ -1,6 +1,8 @@
 #include "cli/arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/errors.h"
 #include "study/spec/spec_hints.h"
@@ -12,40 +14,42 @@ namespace {
   throw InputError("icebow " + command.name + ": " + message + " (see `icebow help " + command.name + "`)");
 }
 
-const Option& find_option(const Command& command, const std::string& name) {
+const Option* find_option(const Command& command, const std::string& name) {
+  const auto found = std::find_if(command.options.begin(), command.options.end(),
+                                  [&](const Option& option) { return option.name == name; });
+  return found == command.options.end() ? nullptr : &*found;
+}
+
+// What CLI11 did not know what to do with.
+[[noreturn]] void refuse_surplus(const Command& command, const std::vector<std::string>& surplus) {
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+  const auto unknown = std::find_if(surplus.begin(), surplus.end(), is_option);
+  if (unknown == surplus.end())
+    usage_error(command, "takes one " + command.positional + ", but " + surplus.front() + " is a second");
   std::vector<std::string> known = {"--help"};
-  for (const Option& option : command.options) {
-    if (option.name == name) return option;
-    known.push_back(option.name);
-  }
+  for (const Option& option : command.options) known.push_back(option.name);
+  const std::string name = unknown->substr(0, unknown->find('='));
   usage_error(command, "unknown option " + name + did_you_mean(name, known));
 }
 
-// Takes one option and its value off the words; returns the index of the last word used.
-std::size_t take_option(const Command& command, const std::vector<std::string>& words, std::size_t i,
-                        Arguments& arguments) {
-  const std::size_t equals = words[i].find('=');
-  const Option& option = find_option(command, words[i].substr(0, equals));
-  std::vector<std::string>& given = arguments.options[option.name];
-  if (!given.empty() && !option.repeats) usage_error(command, option.name + " is given twice");
-  if (option.value.empty()) {
-    if (equals != std::string::npos) usage_error(command, option.name + " takes no value");
-    given.push_back("");
-  } else if (equals != std::string::npos) {
-    given.push_back(words[i].substr(equals + 1));
-  } else if (i + 1 < words.size()) {
-    given.push_back(words[++i]);
-  } else {
-    usage_error(command, option.name + " needs a value: " + option.name + " " + option.value);
-  }
-  return i;
+// CLI11's words begin with the option: "--design: 1 required TEXT missing", "json was given a disallowed
+// ...".
+[[noreturn]] void refuse_value(const Command& command, const CLI::ParseError& error) {
+  const std::string words = error.what();
+  const std::string name = words.substr(0, words.find_first_of(": "));
+  const Option* const option = find_option(command, name[0] == '-' ? name : "--" + name);
+  if (!option) usage_error(command, words);
+  if (option->value.empty()) usage_error(command, option->name + " takes no value");
+  usage_error(command, option->name + " needs a value: " + option->name + " " + option->value);
 }
 
 void check_complete(const Command& command, const Arguments& arguments) {
   if (arguments.positional.empty()) usage_error(command, command.positional + " is missing");
   for (const Option& option : command.options) {
-    if (!option.required || !arguments.value(option.name).empty()) continue;
-    usage_error(command, option.name + " " + option.value + " is missing: " + option.meaning);
+    if (arguments.values(option.name).size() > 1 && !option.repeats)
+      usage_error(command, option.name + " is given twice");
+    if (option.required && arguments.value(option.name).empty())
+      usage_error(command, option.name + " " + option.value + " is missing: " + option.meaning);
   }
 }
 
@@ -55,14 +59,18 @@ std::string padded(const std::string& text, std::size_t width) {
 
 }  // namespace
 
-std::string Arguments::value(const std::string& option) const {
+const std::vector<std::string>& Arguments::values(const std::string& option) const {
   const auto given = options.find(option);
-  return given == options.end() || given->second.empty() ? "" : given->second.back();
+  if (given == options.end()) throw std::logic_error("this command has no option " + option);
+  return given->second;
 }
 
-std::vector<std::string> Arguments::values(const std::string& option) const {
-  const auto given = options.find(option);
-  return given == options.end() ? std::vector<std::string>{} : given->second;
+bool Arguments::has(const std::string& option) const {
+  return !values(option).empty();
+}
+
+std::string Arguments::value(const std::string& option) const {
+  return has(option) ? values(option).back() : "";
 }
 
 const Command& find_command(const std::string& name) {
@@ -77,15 +85,24 @@ const Command& find_command(const std::string& name) {
 
 Arguments parse_arguments(const Command& command, const std::vector<std::string>& words) {
   Arguments arguments;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i].size() > 1 && words[i][0] == '-') {
-      i = take_option(command, words, i, arguments);
-    } else if (arguments.positional.empty()) {
-      arguments.positional = words[i];
+  CLI::App parser;
+  parser.set_help_flag();
+  parser.allow_extras();
+  parser.add_option(command.positional, arguments.positional);
+  for (const Option& option : command.options) {
+    std::vector<std::string>& given = arguments.options[option.name];
+    if (option.value.empty()) {
+      parser.add_flag(option.name, given)->disable_flag_override();
     } else {
-      usage_error(command, "takes one " + command.positional + ", but " + words[i] + " is a second");
+      parser.add_option(option.name, given)->allow_extra_args(false);
     }
   }
+  try {
+    parser.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& error) {
+    refuse_value(command, error);
+  }
+  if (!parser.remaining().empty()) refuse_surplus(command, parser.remaining());
   check_complete(command, arguments);
   return arguments;
 }

@@ -19,13 +19,14 @@ struct Option {
 
 class Arguments {
  public:
-  std::string positional;  // the study file or directory
-  std::map<std::string, std::vector<std::string>> options;
-  std::string command_line;  // as typed
+  std::string positional;                                   // the study file or directory
+  std::map<std::string, std::vector<std::string>> options;  // all of the command's; empty where not given
+  std::string command_line;                                 // as typed
 
-  bool has(const std::string& option) const { return options.count(option) > 0; }
+  // Each throws std::logic_error for an option that the command does not have.
+  bool has(const std::string& option) const;
   std::string value(const std::string& option) const;  // the last one given; empty where none
-  std::vector<std::string> values(const std::string& option) const;
+  const std::vector<std::string>& values(const std::string& option) const;
 };
 
 struct Command {
