@@ -79,9 +79,9 @@ std::optional<OverlaidHull> overlaid_hull(const StudySpec& spec, const Arguments
     return overlaid(std::string("preset of ") + family_form(family).key, make_hull(bow), bow);
   }
   Arguments other = arguments;
-  other.options.erase("--set");
+  other.options["--set"].clear();
   if (std::filesystem::path(wanted).extension() == ".json") {
-    other.options.erase("--design");
+    other.options["--design"].clear();
     other.positional = wanted;
     const StudySpec study = load_study(other);
     return overlaid(study.name, choose_design(study, other).description);

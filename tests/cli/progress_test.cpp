@@ -47,7 +47,9 @@ std::string written(ProgressDisplay::Mode mode, bool colour) {
     StudyPlan plan;
     plan.designs.resize(2);
     display.on_planned(plan);
-    display.on_started({"baseline", {}, {}});
+    Design baseline;
+    baseline.name = "baseline";
+    display.on_started(baseline);
     display.on_progress("baseline", at(50, 100));
     display.on_finished(evaluated("baseline", EvaluationStatus::ok, ""), false);
     display.on_finished(evaluated("Bad", EvaluationStatus::failed, "unstable at step 7\nmore"), true);

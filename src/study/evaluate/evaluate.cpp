@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "base/collective.h"
 #include "base/errors.h"
@@ -58,7 +59,10 @@ Ending failed(const std::string& reason) {
 }
 
 Ending read(Work& work) {
-  const std::string mistake = first_trouble(work.comm, work.design.mistake);
+  const Design& design = work.design;
+  if (!design.given && design.mistake.empty())
+    throw std::logic_error("a design that read_design() has not read");
+  const std::string mistake = first_trouble(work.comm, design.mistake);
   return mistake.empty() ? Ending{} : failed(mistake);
 }
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
-#include "base/errors.h"
 #include "hullgen/bow/feasibility.h"
 #include "study/plan/design_space.h"
-#include "study/spec/spec_case.h"
 
 namespace icebow {
 namespace {
@@ -21,9 +20,8 @@ struct Point {
 };
 
 bool is_feasible(const StudySpec& spec, const std::vector<double>& x) {
-  const PlannedDesign design = design_at(spec, "", x);
-  if (!design.mistake.empty()) return false;
-  return check_feasibility(read_case(design.design.document, "").bow).feasible;
+  const std::optional<Case> given = design_at(spec, "", x).design.given;
+  return given && check_feasibility(given->bow).feasible;
 }
 
 std::vector<Point> tried(const StudySpec& spec, const std::vector<Variable>& box, std::uint64_t seed) {

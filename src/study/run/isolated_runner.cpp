@@ -127,7 +127,9 @@ void IsolatedRunner::take_quick(std::vector<Evaluation>& ended) {
 
 // An impossible bow needs no process: evaluate() says so before there is a mesh, let alone a simulation.
 void IsolatedRunner::start(const PlannedDesign& planned) {
-  Job job{planned.design, design_directory(context_.settings.directory, planned.design.name), nullptr};
+  Job job;
+  job.design = planned.design;
+  job.directory = design_directory(context_.settings.directory, planned.design.name);
   if (is_infeasible(job.design)) {
     done_.push_back(evaluated_here(job.design, job.directory));
     return;

@@ -41,7 +41,7 @@ std::string mistakes(const Json& d) {
 }
 
 Evaluation evaluated(const std::string& patch, const EvaluateOptions& options = {}) {
-  return evaluate(test_world(), {"one", document(patch), {}}, options);
+  return evaluate(test_world(), read_design("one", document(patch)), options);
 }
 
 }  // namespace
