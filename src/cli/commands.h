@@ -2,7 +2,7 @@
 // InputError (exit code 2) or RuntimeError (1).
 #pragma once
 
-#include "cli/arguments.h"
+#include "cli/line/arguments.h"
 
 namespace icebow {
 

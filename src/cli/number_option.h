@@ -1,7 +1,7 @@
 // Numbers and lengths among the options of a command.
 #pragma once
 
-#include "cli/arguments.h"
+#include "cli/line/arguments.h"
 
 namespace icebow {
 

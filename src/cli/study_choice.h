@@ -1,7 +1,7 @@
 // The study, and the design of it, that a command was asked to work on.
 #pragma once
 
-#include "cli/arguments.h"
+#include "cli/line/arguments.h"
 #include "study/plan/design_space.h"
 #include "study/spec/study_spec.h"
 

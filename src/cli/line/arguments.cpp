@@ -1,4 +1,4 @@
-#include "cli/arguments.h"
+#include "cli/line/arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
