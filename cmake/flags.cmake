@@ -1,7 +1,13 @@
 # Compiler flags live on one interface target: nothing global, nothing leaks to users of the libraries.
 add_library(icebow_flags INTERFACE)
-target_include_directories(icebow_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
-target_compile_options(icebow_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor $<$<BOOL:${ICEBOW_WERROR}>:-Werror>)
+target_include_directories(icebow_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/icebow>)
+set(warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+if(ICEBOW_WERROR)
+  list(APPEND warnings -Werror)
+endif()
+target_compile_options(icebow_flags INTERFACE "$<BUILD_INTERFACE:${warnings}>")
 if(ICEBOW_ASSERTS)
   string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
 endif()

@@ -60,6 +60,9 @@ std::string first_trouble(const Communicator& comm, const std::string& trouble);
 // Collective: where any rank is in trouble all throw RuntimeError, with the words of the first that is.
 void fail_together(const Communicator& comm, const std::string& trouble);
 
+// The MPI library's name and version: "Open MPI v4.1.4".
+std::string mpi_library();
+
 // MPI for the lifetime of the program when mpirun started it, nothing otherwise.
 class MpiSession {
  public:

@@ -152,6 +152,14 @@ void fail_together(const Communicator& comm, const std::string& trouble) {
   if (!first.empty()) throw RuntimeError(first);
 }
 
+std::string mpi_library() {
+  char text[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+  int length = 0;
+  MPI_Get_library_version(text, &length);
+  const std::string words(text, static_cast<std::size_t>(length));
+  return words.substr(0, words.find_first_of(",\n"));
+}
+
 bool MpiSession::started_by_mpirun() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr ||
          std::getenv("PMI_RANK") != nullptr;

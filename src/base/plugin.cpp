@@ -10,12 +10,15 @@
 namespace icebow {
 namespace {
 
-// Beside the program; tests and benchmarks may lie a folder below.
+// Beside the program; tests and benchmarks may lie a folder below; an installed program has them in a folder
+// of their own.
 std::string place_of(const std::string& library) {
   std::error_code ignored;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-  const auto beside = folder / library, above = folder.parent_path() / library;
-  return (std::filesystem::exists(beside, ignored) ? beside : above).string();
+  const auto beside = folder / library, installed = folder / ICEBOW_PLUGIN_FOLDER / library;
+  for (const auto& place : {beside, installed})
+    if (std::filesystem::exists(place, ignored)) return place.string();
+  return (folder.parent_path() / library).string();
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace icebow {
 
-// The function of that name (extern "C") in the shared library beside the program, or in the folder above it.
+// The function of that name (extern "C") in the shared library beside the program, in the folder above it, or
+// where `cmake --install` puts it.
 // Throws RuntimeError where there is none.
 void* plugin_function(const std::string& library, const std::string& function);
 

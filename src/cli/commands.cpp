@@ -14,10 +14,27 @@ const Option json = {"--json", "", "print the result as JSON"};
 // A table. NOLINTNEXTLINE(readability-function-size)
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
+      {"new",
+       "STUDY",
+       "write a first study: five questions, or their answers as options",
+       "Asks for length, beam and draught of the ship, thickness of the ice and speed; a question without an "
+       "answer takes the value in brackets. The bow it writes is feasible, and so are the bounds of its "
+       "angles. Never writes over a file.",
+       "icebow new my_ship.json --length 110 --beam 22 --draft 7.5 --thickness 0.8 --speed 3",
+       {{"--length", "M", "of the ship between perpendiculars"},
+        {"--beam", "M", "of the ship"},
+        {"--draft", "M", "of the ship"},
+        {"--thickness", "M", "of the level ice"},
+        {"--speed", "KN", "of the ship in it"},
+        {"--family", "NAME", "of the bow; default: straight_parallel_buttocks (docs/bows.md has eight)"},
+        {"--samples", "N", "bows to sweep; default: 60"}},
+       false,
+       run_new},
       {"check",
        "STUDY",
        "read a study file, list every mistake or what it will do",
        "Exits with 2 where the file has a mistake; each is listed with its JSON pointer. Nothing is written.",
+       "icebow check studies/quickstart.json --set /ice/thickness_m=0.8",
        {set},
        false,
        run_check},
@@ -25,6 +42,7 @@ const std::vector<Command>& commands() {
        "STUDY",
        "the hull of a design: angles, feasibility, mesh, lines plan",
        "Exits with 1 where the bow is infeasible, naming the violated inequality. Lengths are full scale.",
+       "icebow hull studies/quickstart.json --out bow.stl --hydrostatics",
        {set,
         design,
         {"--out", "FILE",
@@ -43,12 +61,9 @@ const std::vector<Command>& commands() {
        "MESH",
        "any closed hull mesh: dimensions, angles, hydrostatics",
        "MESH is a mesh (.obj, .stl, .ply), a STEP or IGES file (.step, .igs) or a table of offsets (.csv). "
-       "The "
-       "hull is\n"
-       "measured at its waterline; P0 is the stem, P1 at a quarter of the beam. What can be mended is mended "
-       "and "
-       "named;\n"
-       "exits with 2 where the mesh stays open, branches or intersects itself.",
+       "The hull is measured at its waterline; P0 is the stem, P1 at a quarter of the beam. What can be "
+       "mended is mended and named; exits with 2 where the mesh stays open, branches or intersects itself.",
+       "icebow measure studies/hulls/supply_vessel.obj --draft 6.5",
        {{"--unit", "UNIT", "of the file: m (default), cm, mm, ft, in"},
         {"--axes", "FORWARD,UP", "the file's axes that point forward and up; default: x,z"},
         {"--factor", "F", "lengths are multiplied by this as well: 25 for the mesh of a 1:25 model"},
@@ -72,8 +87,8 @@ const std::vector<Command>& commands() {
        "STUDY",
        "ice resistance of a design by formulas and by the breaking cycle, full scale",
        "Lindqvist 1989, Riska 1997 and the cycle side by side. Exits with 1 where Lindqvist's formula cannot "
-       "be "
-       "applied.",
+       "be applied.",
+       "icebow resistance studies/quickstart.json --set /operation/speed_kn=3",
        {set, design, json},
        false,
        run_resistance},
@@ -81,9 +96,9 @@ const std::vector<Command>& commands() {
        "STUDY",
        "mean ice load of a design by the breaking cycle, within a second, full scale",
        "The hull's own mesh crushes and breaks level ice over some voyages (section \"cycle\" of the study; "
-       "docs/cycle.md).\n"
-       "--set /cycle/submersion=false leaves the breaking alone. Exits with 1 where there is no hull or no "
-       "voyage.",
+       "docs/cycle.md). --set /cycle/submersion=false leaves the breaking alone. Exits with 1 where there is "
+       "no hull or no voyage.",
+       "icebow cycle studies/cycle_sweep.json",
        {set, design, json},
        false,
        run_cycle_command},
@@ -91,10 +106,9 @@ const std::vector<Command>& commands() {
        "STUDY",
        "what an ice tank's tests would measure of a design's ice",
        "Bends and crushes pieces of the study's own lattice. With ice.model \"calibrated\" their modulus and "
-       "flexural\n"
-       "strength are those of the file; otherwise they are what the file's modulus and toughness amount to. "
-       "Stresses are\n"
-       "at the scale of the section \"ice\".",
+       "flexural strength are those of the file; otherwise they are what the file's modulus and toughness "
+       "amount to. Stresses are at the scale of the section \"ice\".",
+       "icebow calibrate studies/calibrated_ice.json",
        {set,
         design,
         {"--in-situ", "",
@@ -109,9 +123,9 @@ const std::vector<Command>& commands() {
        "STUDY",
        "one ship-ice run of one design",
        "Writes DIR/result.json, history.csv, pictures, and ice.pvd and hull.pvd for ParaView (10 snapshots "
-       "where the\n"
-       "study asks for none). Takes the file's own design where --design names no other.\n"
-       "The same command again goes on where it was interrupted, on any number of ranks.",
+       "where the study asks for none). Takes the file's own design where --design names no other. The same "
+       "command again goes on where it was interrupted, on any number of ranks.",
+       "mpirun -n 4 icebow simulate studies/calibrated_ice.json --out out/one",
        {set,
         design,
         {"--out", "DIR", "directory of the results", true},
@@ -124,10 +138,9 @@ const std::vector<Command>& commands() {
        "STUDY",
        "the whole study: evaluate every design, rank, report",
        "An interrupted study goes on when the same command is given again. Finished designs in DIR are kept; "
-       "a design that\n"
-       "was under way loses the last five minutes at most. At the end the command writes DIR/report.html, "
-       "ranking.csv and\n"
-       "ranking.md. Exits with 3 where some designs failed.",
+       "a design that was under way loses the last five minutes at most. At the end the command writes "
+       "DIR/report.html, ranking.csv and ranking.md. Exits with 3 where some designs failed.",
+       "icebow run studies/cycle_sweep.json --out out/sweep",
        {set,
         {"--out", "DIR", "directory of the study", true},
         {"--jobs", "N", "designs at once; default: as the study says"},
@@ -139,6 +152,7 @@ const std::vector<Command>& commands() {
        "DIR",
        "the ranking of a finished or running study",
        "Reads DIR only.",
+       "icebow rank out/sweep --json",
        {json},
        false,
        run_rank},
@@ -146,6 +160,7 @@ const std::vector<Command>& commands() {
        "DIR",
        "the report of a finished or running study",
        "One HTML file that opens offline.",
+       "icebow report out/sweep --out sweep.html",
        {{"--out", "FILE", "default: DIR/report.html"}},
        false,
        run_report},

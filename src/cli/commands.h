@@ -11,6 +11,7 @@ constexpr int ok = 0, failure = 1, bad_input = 2, some_designs_failed = 3, inter
 }
 
 // On the root alone.
+int run_new(const Communicator& comm, const Arguments& arguments);
 int run_check(const Communicator& comm, const Arguments& arguments);
 int run_hull(const Communicator& comm, const Arguments& arguments);
 int run_measure(const Communicator& comm, const Arguments& arguments);

@@ -6,8 +6,9 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "cli/commands.h"
+#include "cli/line/help_text.h"
+#include "cli/line/version_text.h"
 #include "solver/kernel/kernel.h"
-#include "study/evaluate/provenance.h"
 #include "study/run/evaluate_design_child.h"
 #include "study/run/run_study.h"
 #include "study/spec/spec_hints.h"
@@ -16,7 +17,17 @@ namespace icebow {
 namespace {
 
 int print_help(const std::vector<std::string>& words, bool is_root) {
-  const std::string text = words.empty() ? help_text() : help_text(find_command(words[0]));
+  const std::string completion = "--completion=";
+  std::string text;
+  if (words.empty()) {
+    text = help_text();
+  } else if (words[0] == "--man") {
+    text = man_page();
+  } else if (words[0].rfind(completion, 0) == 0) {
+    text = completion_script(words[0].substr(completion.size()));
+  } else {
+    text = help_text(find_command(words[0]));
+  }
   if (is_root) std::cout << text;
   return exit_code::ok;
 }
@@ -43,7 +54,8 @@ int run_on_root(const Command& command, const Communicator& comm, const Argument
 int dispatch(const Communicator& comm, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") return print_help({}, comm.is_root());
   if (words[0] == "--version") {
-    if (comm.is_root()) std::cout << "icebow " << program_version() << "\n";
+    const std::string text = version_text();
+    if (comm.is_root()) std::cout << text;
     return exit_code::ok;
   }
   const std::vector<std::string> rest(words.begin() + 1, words.end());

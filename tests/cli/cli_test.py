@@ -9,15 +9,18 @@ import shutil
 import subprocess
 import unittest
 
-from program import FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TINY
+from program import icebow, FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TINY
 
 
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "report"):
+        for command in ("new", "check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
+            self.assertIn("\nexample: ", self.expect(0, "help", command).stdout)
+            for line in self.expect(0, "help", command).stdout.splitlines():
+                self.assertLessEqual(len(line), 100)
         self.assertEqual(text, self.expect(0).stdout)
         self.assertIn("--out DIR", self.expect(0, "run", "--help").stdout)
 
@@ -28,7 +31,43 @@ class Usage(ProgramTest):
         self.assertIn("standard output", process.stderr)
 
     def test_version(self):
-        self.assertRegex(self.expect(0, "--version").stdout, r"^icebow \d+\.\d+\.\d+\n$")
+        lines = self.expect(0, "--version").stdout.splitlines()
+        self.assertRegex(lines[0], r"^icebow \d+\.\d+\.\d+$")
+        self.assertEqual([line.split()[0] for line in lines[1:]], ["commit", "compiler", "MPI", "vectors", "parts"])
+        self.assertIn("baseline", icebow("--version", env={"ICEBOW_KERNEL": "baseline"}).stdout)
+
+    def test_man_page_and_completions_name_every_command_and_option(self):
+        man = self.expect(0, "help", "--man").stdout
+        self.assertTrue(man.split("\n")[1].startswith(".TH ICEBOW 1"))
+        for shell in ("bash", "zsh", "fish"):
+            script = self.expect(0, "help", f"--completion={shell}").stdout
+            for command in re.findall(r"\n  (\w+) [A-Z]+ ", self.expect(0, "help").stdout):
+                self.assertIn(command, script)
+                self.assertIn(f".SS icebow {command} ", man)
+                for option in re.findall(r"\n  --([\w-]+)", self.expect(0, "help", command).stdout):
+                    self.assertIn(option, script)
+                    self.assertIn(option.replace("-", "\\-"), man)
+        self.assertIn('"bash"', self.expect(2, "help", "--completion=bsh").stderr)
+        completed = subprocess.run(
+            ["bash", "-c", 'eval "$1"; COMP_WORDS=(icebow hull --o); COMP_CWORD=2; _icebow; echo "${COMPREPLY[@]}"', "-",
+             self.expect(0, "help", "--completion=bash").stdout], capture_output=True, text=True)
+        self.assertEqual(completed.stdout.split(), ["--out", "--overlay"])
+
+    def test_a_first_study_by_questions_or_by_options(self):
+        mine = self.directory / "mine.json"
+        said = self.expect(0, "new", mine, "--length", "90", "--beam", "18", "--draft", "6", "--thickness", "0.7",
+                           "--speed", "3", "--samples", "5").stdout
+        self.assertIn(f"icebow run {mine}", said)
+        self.assertIn("designs: 6\n", self.expect(0, "check", mine).stdout)
+        self.assertIn("already", self.expect(2, "new", mine).stderr)
+        asked = subprocess.run([PROGRAM, "new", self.directory / "asked.json"], input="90\n2\n18\n\n0.7\n3\n", text=True,
+                               capture_output=True)
+        self.assertEqual(asked.returncode, 0, asked.stderr)
+        self.assertIn("from 4 to 80 m", asked.stderr)  # a beam of 2 m is asked for again
+        study = json.loads((self.directory / "asked.json").read_text())
+        self.assertEqual([study["bow"][key] for key in ("length_m", "beam_m", "draft_m")], [90.0, 18.0, 8.0])
+        self.assertIn("--beam 2", self.expect(2, "new", self.directory / "no.json", "--beam", "2").stderr)
+        self.assertIn("straight_parallel_buttocks", self.expect(2, "new", self.directory / "no.json", "--family", "x").stderr)
 
     def test_bad_words_are_answered_with_the_nearest_known(self):
         for words, hint in ((["chekc", TINY], '"check"'), (["check", TINY, "--sett", "/a=1"], '"--set"'),

@@ -17,9 +17,9 @@ os.environ["XDG_CACHE_HOME"] = CACHE.name
 INFEASIBLE = "/bow/bow_length_m=12"
 
 
-def start(*words, cwd=None, ranks=0, **options):
+def start(*words, cwd=None, ranks=0, env={}, **options):
     launcher = ["mpirun", "-n", str(ranks)] if ranks else []
-    environment = {**os.environ, "NO_COLOR": "1"}
+    environment = {**os.environ, "NO_COLOR": "1", **env}
     return subprocess.Popen([*launcher, PROGRAM, *map(str, words)], cwd=cwd, env=environment, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
 

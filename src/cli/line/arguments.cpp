@@ -53,10 +53,6 @@ void check_complete(const Command& command, const Arguments& arguments) {
   }
 }
 
-std::string padded(const std::string& text, std::size_t width) {
-  return text + std::string(width > text.size() ? width - text.size() : 1, ' ');
-}
-
 }  // namespace
 
 const std::vector<std::string>& Arguments::values(const std::string& option) const {
@@ -105,30 +101,6 @@ Arguments parse_arguments(const Command& command, const std::vector<std::string>
   if (!parser.remaining().empty()) refuse_surplus(command, parser.remaining());
   check_complete(command, arguments);
   return arguments;
-}
-
-std::string help_text() {
-  std::string text =
-      "icebow: parametric studies of icebreaker bows\n\n"
-      "usage: icebow COMMAND ... [options], also under mpirun\n\n";
-  for (const Command& command : commands()) {
-    text += "  " + padded(command.name + " " + command.positional, 18) + command.summary + "\n";
-  }
-  text +=
-      "\n  icebow help COMMAND  options of a command\n  icebow --version\n\n"
-      "A study file describes the ship, the ice and what to vary: see docs/study_file.md.\n"
-      "Exit codes: 0 ok, 1 failure, 2 bad input, 3 some designs failed, 130 interrupted.\n";
-  return text;
-}
-
-std::string help_text(const Command& command) {
-  std::string usage = "usage: icebow " + command.name + " " + command.positional, table;
-  for (const Option& option : command.options) {
-    const std::string shown = option.name + (option.value.empty() ? "" : " " + option.value);
-    usage += option.required ? " " + shown : " [" + shown + (option.repeats ? " ..." : "") + "]";
-    table += "  " + padded(shown, 26) + option.meaning + "\n";
-  }
-  return usage + "\n\n" + command.details + "\n\n" + table;
 }
 
 }  // namespace icebow

@@ -33,7 +33,8 @@ struct Command {
   std::string name;
   std::string positional;  // "STUDY" or "DIR"
   std::string summary;     // one line
-  std::string details;     // for `icebow help NAME`
+  std::string details;     // for `icebow help NAME`; a line end begins a new paragraph
+  std::string example;     // a call that works as it stands
   std::vector<Option> options;
   // Collective commands are entered by every rank; of the others only the root takes part.
   bool collective = false;
@@ -47,8 +48,5 @@ const Command& find_command(const std::string& name);
 // `words` are those behind the command's name. Throws InputError: unknown option (with the nearest known
 // one), a value or a required option that is missing, too many words.
 Arguments parse_arguments(const Command& command, const std::vector<std::string>& words);
-
-std::string help_text();
-std::string help_text(const Command& command);
 
 }  // namespace icebow
