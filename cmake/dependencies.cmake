@@ -30,6 +30,11 @@ add_library(fftw3 INTERFACE)
 target_include_directories(fftw3 SYSTEM INTERFACE ${FFTW3_INCLUDE_DIR})
 target_link_libraries(fftw3 INTERFACE ${FFTW3F_LIBRARY})
 
+# Headers alone, without CMake files.
+find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
+add_library(kainjow_mustache INTERFACE)
+target_include_directories(kainjow_mustache SYSTEM INTERFACE ${MUSTACHE_INCLUDE_DIR})
+
 # Optional ones: AUTO takes what is there, ON insists, OFF does without.
 set(ICEBOW_CAD AUTO CACHE STRING "STEP and IGES files through OpenCASCADE: AUTO, ON or OFF")
 set_property(CACHE ICEBOW_CAD PROPERTY STRINGS AUTO ON OFF)

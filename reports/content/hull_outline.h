@@ -12,8 +12,11 @@ namespace icebow {
 // quads or triangles in the hull frame (see QuadMesh). Empty where the file is missing or is no such hull.
 std::vector<Vec3> read_waterline(const std::string& obj_path);
 
-// Plan view, stem to the right, cut off `length` metres aft of it; `scale` pixels per metre. Empty for no
-// waterline.
-std::string plan_svg(const std::vector<Vec3>& waterline, double length, double scale);
+// Plan view, stem to the right, cut off `length` metres aft of it; `scale` pixels per metre.
+struct BowOutline {
+  std::string path;                  // the d of an SVG path; empty for no waterline
+  double width = 0.0, height = 0.0;  //!< [px]
+};
+BowOutline bow_outline(const std::vector<Vec3>& waterline, double length, double scale);
 
 }  // namespace icebow

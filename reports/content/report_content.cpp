@@ -7,7 +7,10 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "reports/content/comparison.h"
+#include "reports/content/drift.h"
 #include "reports/content/inline_svg.h"
+#include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
 #include "study/store/design_files.h"
 
@@ -16,8 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t picture_budget = 12'000'000;  // bytes of PNG in the whole page
-constexpr std::size_t history_points = 40'000;         // of all designs together
+constexpr std::uintmax_t picture_budget = 3'500'000;  // bytes of PNG in the whole page
+constexpr std::size_t history_points = 40'000;        // of all designs together
+constexpr std::size_t most_histories = 60;            // designs with a record in the page
+constexpr std::size_t drawing_budget = 2'000'000;     // bytes of lines plans and voyages in the page
 constexpr double plan_height_px = 26.0;
 
 constexpr std::uintmax_t largest_drawing = 8'000'000;  // bytes; ours have some hundred thousand
@@ -88,11 +93,59 @@ DesignContent read_design(const StudyResults& study, std::size_t index) {
   if (rank > 0 && rank <= most_voyages)
     design.voyage = lines_plan(files.named(e.result, "voyage", "voyage.svg"), design.id + "-voyage");
   design.pictures = pictures_of(files, e.result);
-  if (e.status == EvaluationStatus::ok && std::isfinite(design.lambda)) {
-    design.history = read_load_series(files.named(e.result, "history", "history.csv"), design.lambda,
-                                      std::pow(design.lambda, 3));
-  }
   return design;
+}
+
+// Records of the first ranks and of the baseline, of every run.
+void read_histories(ReportContent& content) {
+  std::size_t read = 0;
+  for (std::size_t i = 0; i < content.designs.size(); ++i) {
+    const Evaluation& e = content.row(i).evaluation;
+    DesignContent& design = content.designs[i];
+    if (e.status != EvaluationStatus::ok || !std::isfinite(design.lambda)) continue;
+    if (read++ >= most_histories && e.name != "baseline") continue;
+    const auto repeats = content.study.repeats.find(e.name);
+    const std::vector<Evaluation> one = {e};
+    for (const Evaluation& run : repeats == content.study.repeats.end() ? one : repeats->second) {
+      const DesignFiles files(content.study.directory, run.name);
+      LoadSeries series = read_load_series(files.named(run.result, "history", "history.csv"), design.lambda,
+                                           std::pow(design.lambda, 3));
+      if (!series.load.empty()) design.histories.push_back(std::move(series));
+    }
+  }
+}
+
+// Of the three leading designs and the baseline, before the records are thinned.
+void look_for_drift(ReportContent& content) {
+  for (std::size_t i = 0; i < content.designs.size(); ++i) {
+    const RankedDesign& row = content.row(i);
+    const bool leads = row.rank > 0 && (row.rank <= 3 || row.evaluation.name == "baseline");
+    if (!leads || content.designs[i].histories.empty()) continue;
+    const Json& result = row.evaluation.result;
+    const Drift drift =
+        drift_of(content.designs[i].histories.front(), number_at(result, result_key::steady_from),
+                 number_at(result, result_key::steady_to));
+    if (!drift.told()) continue;
+    content.study.drifts.push_back("The load of " + row.evaluation.name +
+                                   " drifts: the second half of its steady part is " +
+                                   fixed(100.0 * std::fabs(drift.relative), 0) + "\u00a0% " +
+                                   (drift.relative > 0.0 ? "above" : "below") + " the first (" +
+                                   p_in_words(drift.p) + "); let it begin later (operation.steady_from_m).");
+  }
+}
+
+// Lines plans and voyages as far as they fit, best first.
+void fit_drawings(std::vector<DesignContent>& designs) {
+  std::size_t bytes = 0;
+  for (DesignContent& design : designs) {
+    for (std::string* drawing : {&design.lines_plan, &design.voyage}) {
+      bytes += drawing->size();
+      if (bytes <= drawing_budget || drawing->empty()) continue;
+      bytes -= drawing->size();
+      drawing->clear();
+      design.drawings_left_out = true;
+    }
+  }
 }
 
 // `most` of them, equally spaced, the last one kept.
@@ -122,11 +175,12 @@ void fit_pictures(std::vector<DesignContent>& designs) {
 }
 
 void thin_histories(std::vector<DesignContent>& designs) {
-  const auto n = static_cast<std::size_t>(std::count_if(
-      designs.begin(), designs.end(), [](const DesignContent& d) { return !d.history.load.empty(); }));
+  std::size_t n = 0;
+  for (const DesignContent& design : designs) n += design.histories.size();
   if (n == 0) return;
   const std::size_t most = std::clamp<std::size_t>(history_points / n, 400, 2000);
-  for (DesignContent& design : designs) design.history = thinned(design.history, most);
+  for (DesignContent& design : designs)
+    for (LoadSeries& series : design.histories) series = thinned(series, most);
 }
 
 // One scale for all bows, so that the small pictures compare.
@@ -149,6 +203,13 @@ bool ReportContent::has_loads() const {
                      [](const RankedDesign& r) { return std::isfinite(r.mean_load); });
 }
 
+bool ReportContent::has_simulated() const {
+  return !study.confirmations.empty() ||
+         std::any_of(study.ranking.rows.begin(), study.ranking.rows.end(), [](const RankedDesign& r) {
+           return r.rank > 0 && part_at(r.evaluation.result, result_key::simulation).is_object();
+         });
+}
+
 bool ReportContent::has_lindqvist() const {
   return std::any_of(study.ranking.rows.begin(), study.ranking.rows.end(),
                      [](const RankedDesign& r) { return std::isfinite(r.lindqvist); });
@@ -156,7 +217,7 @@ bool ReportContent::has_lindqvist() const {
 
 bool ReportContent::has_histories() const {
   return std::any_of(designs.begin(), designs.end(),
-                     [](const DesignContent& d) { return !d.history.load.empty(); });
+                     [](const DesignContent& d) { return !d.histories.empty(); });
 }
 
 ReportContent read_report_content(const std::string& study_directory) {
@@ -165,9 +226,14 @@ ReportContent read_report_content(const std::string& study_directory) {
   content.unit = load_unit(content.study.ranking);
   for (std::size_t i = 0; i < content.study.ranking.rows.size(); ++i)
     content.designs.push_back(read_design(content.study, i));
+  fit_drawings(content.designs);
   fit_pictures(content.designs);
+  read_histories(content);
+  look_for_drift(content);
   thin_histories(content.designs);
   scale_bows(content);
+  content.conditions = conditions(content.study);
+  content.verdict = verdict(content.study);
   return content;
 }
 

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "reports/content/conditions.h"
 #include "reports/content/history_file.h"
 #include "reports/content/hull_outline.h"
 #include "reports/content/load_unit.h"
 #include "reports/content/study_results.h"
+#include "reports/content/verdict.h"
 
 namespace icebow {
 
@@ -25,7 +27,8 @@ struct DesignContent {
   std::string voyage;      // <svg> of the breaking cycle; of the first ranks only
   std::vector<Picture> pictures;
   std::size_t pictures_left_out = 0;
-  LoadSeries history;  // full scale
+  bool drawings_left_out = false;     // lines plan and voyage, to keep the page small
+  std::vector<LoadSeries> histories;  // full scale, one a run
 };
 
 struct ReportContent {
@@ -33,9 +36,12 @@ struct ReportContent {
   LoadUnit unit;
   std::vector<DesignContent> designs;        // as study.ranking.rows
   double bow_length = 0.0, bow_scale = 1.0;  // of the small plan views: metres shown, pixels per metre
+  Conditions conditions;
+  Verdict verdict;
 
   const RankedDesign& row(std::size_t i) const { return study.ranking.rows[i]; }
-  bool has_loads() const;  // a mean load measured by simulation, for one design at least
+  bool has_loads() const;      // a mean load by simulation or breaking cycle, for one design at least
+  bool has_simulated() const;  // by simulation
   bool has_lindqvist() const;
   bool has_histories() const;
 };

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
 #include "study/spec/read_study.h"
@@ -61,6 +62,21 @@ void count_statuses(StudyResults& study, const std::vector<Evaluation>& evaluati
   }
 }
 
+void add_runs(StudyResults& study, const std::vector<Evaluation>& evaluations) {
+  for (const Evaluation& e : evaluations) {
+    const bool ok = e.status == EvaluationStatus::ok;
+    if (is_confirmation(e.name)) {
+      if (ok) study.confirmations.push_back(e.result);
+      continue;
+    }
+    const std::string design = run_name(e.name).design;
+    study.order.emplace(design, static_cast<int>(study.order.size()) + 1);
+    if (ok) study.repeats[design].push_back(e);
+  }
+  for (auto it = study.repeats.begin(); it != study.repeats.end();)
+    it = it->second.size() < 2 ? study.repeats.erase(it) : std::next(it);
+}
+
 std::string rank_by(const Store& store) {
   const std::string fact = store.fact("rank_by");
   return fact.empty() ? StudySpec().rank_by : fact;
@@ -97,9 +113,11 @@ StudyResults read_study_results(const std::string& directory) {
   study.host = store.fact("host");
   study.started = store.fact("started");
   study.state = store.fact("state");
+  study.file = store.fact("study_file");
   study.seed = seed(study.document, store);
   study.ranking = rank_designs(evaluations, rank_by(store));
   count_statuses(study, evaluations);
+  add_runs(study, evaluations);
   add_plan(study, evaluations);
   return study;
 }

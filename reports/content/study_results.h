@@ -1,6 +1,7 @@
 // A study directory as the reports see it. Nothing else is read.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ struct StudyResults {
   int proposals = 0;                 // an optimiser may still propose this many
   double wall_seconds = 0.0;         //!< sum over the designs [s]
   std::string seed;                  // empty where the method draws nothing
+  std::string file;                  // of the study, as the command named it; empty where unknown
+  std::vector<std::string> drifts;   // records of leading designs that drift; sentences
+  std::vector<Json> confirmations;   // results of simulations that confirm designs of a sweep
+  std::map<std::string, std::vector<Evaluation>> repeats;  // all runs that are ok, of designs with several
+  std::map<std::string, int> order;                        // of each design among the evaluations, from 1
 
   int evaluated() const { return ok + infeasible + failed; }
   bool finished() const { return state.empty() ? running.empty() && waiting.empty() : state == "finished"; }

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
+#include "base/json_fields.h"
+#include "reports/content/comparison.h"
+#include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
 #include "reports/text/text_format.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -14,50 +19,104 @@ std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
-// "0.81 ± 0.06 MN", with the decimals the interval can bear.
-std::string value_in_words(const RankedDesign& row, const Ranking& ranking) {
-  const LoadUnit unit = load_unit(ranking);
-  const bool per_beam = ranking.rank_by == "mean_load_per_beam";
-  const double newtons = per_beam ? 1e3 : unit.newtons;
-  const double ci = value_ci95(row, ranking.rank_by) / newtons;
-  const int decimals = decimals_for_interval(ci, per_beam || unit.name == "kN" ? 1 : 2, 3);
-  return with_interval(row.value / newtons, ci, decimals) + "\u00a0" + (per_beam ? "kN/m" : unit.name);
+// "stem 25.6°, waterline 19.1°, buttock 21.2°": those that differ within the ranking.
+std::string angles_in_words(const RankedDesign& row, const Ranking& ranking) {
+  std::vector<std::string> words;
+  for (const char* angle : {"stem", "waterline", "buttock", "flare"}) {
+    const std::string pointer = result_key::measured_deg(angle);
+    const double own = number_at(row.evaluation.result, pointer);
+    const bool varies = std::any_of(ranking.rows.begin(), ranking.rows.end(), [&](const RankedDesign& other) {
+      return other.rank > 0 && std::fabs(number_at(other.evaluation.result, pointer) - own) > 0.1;
+    });
+    if (varies && std::isfinite(own)) words.push_back(std::string(angle) + " " + fixed(own, 1) + "\u00b0");
+  }
+  return listed(words, 4);
 }
 
-std::string tie_clause(const Ranking& ranking, int ranked) {
-  std::vector<std::string> tied;
-  for (int i = 1; i < ranked; ++i)
-    if (ranking.rows[i].tied_with_best) tied.push_back(ranking.rows[i].evaluation.name);
-  if (!tied.empty()) return "; " + listed(tied, 5) + " cannot be told apart from it.";
-  if (ranked == 1) return ".";
-  if (!std::isfinite(value_ci95(ranking.rows[0], ranking.rank_by))) return ".";
-  return "; its interval overlaps that of no other design.";
+const RankedDesign* baseline_of(const StudyResults& study) {
+  for (const RankedDesign& row : study.ranking.rows)
+    if (row.rank > 0 && row.evaluation.name == "baseline") return &row;
+  return nullptr;
+}
+
+// "17 % below the baseline": `value` against what it is compared with.
+std::string apart_in_words(double value, double other, const std::string& name) {
+  const double share = 100.0 * (value / other - 1.0);
+  return fixed(std::fabs(share), 0) + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
+}
+
+std::string tie_clause(const StudyResults& study, int ranked) {
+  const int tied = static_cast<int>(std::count_if(
+      study.ranking.rows.begin(), study.ranking.rows.begin() + ranked, [&](const RankedDesign& row) {
+        return row.rank > 1 &&
+               compared_with(row, study.ranking.rows[0], study.ranking.rank_by).p >= told_apart_below;
+      }));
+  if (tied == 0) return "";
+  return "; " + counted(static_cast<std::size_t>(tied), "other design") + " cannot be told apart from it";
 }
 
 std::string sentence(std::string words) {
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words + '.';
+  return words.back() == '.' ? words : words + '.';
 }
 
 std::string headline(const StudyResults& study, int ranked) {
   if (ranked > 0) {
     const RankedDesign& best = study.ranking.rows.front();
-    return best.evaluation.name + " has the lowest " + ranked_quantity(study.ranking.rank_by) + ", " +
-           value_in_words(best, study.ranking) + tie_clause(study.ranking, ranked);
+    const std::string angles = angles_in_words(best, study.ranking);
+    const std::string versus = best.evaluation.name == "baseline" ? "" : versus_in_words(best, study);
+    return best.evaluation.name + (angles.empty() ? "" : " (" + angles + ")") + " has the lowest " +
+           ranked_quantity(study.ranking.rank_by) + ", " + value_in_words(best, study.ranking) +
+           (versus.empty() ? "" : ", " + versus) + tie_clause(study, ranked) + '.';
   }
   if (study.evaluated() == 0) return "No design has been evaluated yet.";
   if (study.ok == 0) return "No design could be ranked: each was infeasible or failed.";
   return "No design could be ranked: no result holds the " + ranked_quantity(study.ranking.rank_by) + '.';
 }
 
-void add_baseline_remark(const StudyResults& study, int ranked, std::vector<std::string>& remarks) {
-  const auto begin = study.ranking.rows.begin(), end = begin + ranked;
-  const auto row =
-      std::find_if(begin, end, [](const RankedDesign& r) { return r.evaluation.name == "baseline"; });
-  if (row == end || row == begin || row->tied_with_best) return;
-  const double gain = 1.0 - begin->value / row->value;
-  remarks.push_back("That is " + fixed(100.0 * gain, 0) + "\u00a0% below the baseline (" +
-                    value_in_words(*row, study.ranking) + ").");
+std::string no_order(const TooShort& records) {
+  return "This study does not rank these bows: " + records.reason + ".";
+}
+
+std::string longer_records(const TooShort& records) {
+  if (!std::isfinite(records.advance_needed))
+    return "Sail farther (operation.advance_m), or run each design several times (repeats).";
+  return "Sail " + fixed(records.advance_needed, 0) + "\u00a0m instead of " + fixed(records.advance, 0) +
+         "\u00a0m (operation.advance_m): about " + duration(records.seconds_needed) + " of computing.";
+}
+
+// "stem_deg" of the best design where it lies at an end of what the study allowed it; empty where inside.
+std::string at_its_bound(const StudyResults& study) {
+  const Json& variables = part_at(study.document, "/method/variables");
+  if (!variables.is_object()) return {};
+  const auto& parameters = study.ranking.rows.front().evaluation.parameters;
+  for (const auto& [pointer, range] : variables.items()) {
+    const auto own = parameters.find(pointer);
+    const double low = number_at(range, "/min"), high = number_at(range, "/max");
+    if (own == parameters.end() || !(high > low)) continue;
+    if (std::min(own->second - low, high - own->second) < 0.02 * (high - low)) return pointer;
+  }
+  return {};
+}
+
+std::string next_step(const StudyResults& study, int ranked, const TooShort& records) {
+  if (!study.finished()) return "Give the same command again: it goes on where the study stopped.";
+  if (ranked == 0) return "Read the reasons below: each names the parameter to change.";
+  if (!records.reason.empty()) return longer_records(records);
+  const Ranking& ranking = study.ranking;
+  const std::string bound = at_its_bound(study);
+  if (!bound.empty())
+    return "The best design lies at an end of the range of " + bound + ": widen it, and sweep again.";
+  const std::string& best = ranking.rows.front().evaluation.name;
+  if (ranking.confirmed.designs == 0 && std::isfinite(ranking.rows.front().cycle_load))
+    return "Confirm the order by the simulation: add \"confirm\": {\"best\": 3, \"spread\": 2} to the study.";
+  if (ranking.rank_by == "lindqvist_breaking")
+    return "The formula knows two of the four angles: add \"cycle\" to \"evaluators\", which sees the whole "
+           "hull.";
+  if (!tie_clause(study, ranked).empty())
+    return "Tell the leaders apart: repeat them (\"repeats\") or sail farther (operation.advance_m).";
+  return "Simulate " + best +
+         " on a finer lattice (solver.layers): the level of its load, and the order, may change.";
 }
 
 void add_lindqvist_remark(const Ranking& ranking, std::vector<std::string>& remarks) {
@@ -84,6 +143,17 @@ std::string unfinished(const StudyResults& study) {
          missing + ". The ranking may change.";
 }
 
+void add_cautions(const StudyResults& study, int ranked, std::vector<std::string>& remarks) {
+  std::map<std::string, std::vector<std::string>> designs;  // by the caution's words
+  for (int i = 0; i < ranked; ++i) {
+    const RankedDesign& row = study.ranking.rows[static_cast<std::size_t>(i)];
+    const std::string caution = text_at(row.evaluation.result, result_key::lindqvist_caution);
+    if (!caution.empty()) designs[caution].push_back(row.evaluation.name);
+  }
+  for (const auto& [caution, names] : designs)
+    remarks.push_back("Lindqvist's formula for " + listed(names, 4) + ": " + sentence(caution));
+}
+
 void add_missing_remark(const StudyResults& study, std::vector<std::string>& remarks) {
   if (study.infeasible + study.failed > 0) {
     std::vector<std::string> parts;
@@ -96,14 +166,47 @@ void add_missing_remark(const StudyResults& study, std::vector<std::string>& rem
 
 }  // namespace
 
+std::string value_in_words(const RankedDesign& row, const Ranking& ranking) {
+  const LoadUnit unit = load_unit(ranking);
+  const bool per_beam = ranking.rank_by == "mean_load_per_beam";
+  const double newtons = per_beam ? 1e3 : unit.newtons;
+  const double ci = value_ci95(row, ranking.rank_by) / newtons;
+  const int decimals = decimals_for_interval(ci, per_beam || unit.name == "kN" ? 1 : 2, 3);
+  return with_interval(row.value / newtons, ci, decimals) + "\u00a0" + (per_beam ? "kN/m" : unit.name);
+}
+
+std::string versus_in_words(const RankedDesign& row, const StudyResults& study) {
+  const RankedDesign* other = baseline_of(study);
+  std::string name = "the baseline";
+  if (!other || other == &row) {
+    other = &study.ranking.rows.front();
+    name = other->evaluation.name;
+  }
+  if (other == &row || row.evaluation.name == other->evaluation.name || other->value == 0.0) return {};
+  const std::string apart = apart_in_words(row.value, other->value, name);
+  const MeanDifference difference = compared_with(row, *other, study.ranking.rank_by);
+  if (study.ranking.rank_by == "lindqvist_breaking") return apart;
+  if (!std::isfinite(difference.ci95)) return apart + ", by means whose intervals are not known";
+  return apart + " (" + p_in_words(difference.p) +
+         (difference.p < told_apart_below ? ")" : ": not told apart)");
+}
+
 Verdict verdict(const StudyResults& study) {
   const int ranked = study.ranked();
+  const TooShort records = too_short(study);
   Verdict result;
-  for (const std::string& words : study.ranking.disagreements) result.headline += sentence(words) + " ";
-  result.headline += headline(study, ranked);
-  add_baseline_remark(study, ranked, result.remarks);
+  result.ranks = ranked > 0 && records.reason.empty();
+  result.headline = records.reason.empty() ? headline(study, ranked) : no_order(records);
+  result.next = next_step(study, ranked, records);
+  const Conditions found = conditions(study);
+  if (!found.unlike_ships.empty()) result.remarks.push_back(found.unlike_ships);
+  for (const std::string& words : study.ranking.disagreements) result.remarks.push_back(sentence(words));
   if (study.ranking.rank_by != "lindqvist_breaking") add_lindqvist_remark(study.ranking, result.remarks);
-  for (const std::string& warning : study.ranking.warnings) result.remarks.push_back(sentence(warning));
+  add_cautions(study, ranked, result.remarks);
+  for (const std::string& warning : study.ranking.warnings)
+    if (warning.rfind("not told apart", 0) != 0)  // the headline counts them, the table marks each
+      result.remarks.push_back(sentence(warning));
+  for (const std::string& words : study.drifts) result.remarks.push_back(words);
   add_missing_remark(study, result.remarks);
   return result;
 }

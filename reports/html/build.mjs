@@ -1,6 +1,6 @@
 // Bundles the browser part of the report and writes it as C++: node build.mjs OUTPUT.cpp
 // String literals in pieces compile in a fraction of a second, where an array of bytes would take minutes.
-import { readFileSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -43,7 +43,6 @@ function literal(text) {
 }
 
 const parts = {
-  report_page_template: readFileSync(join(here, "assets", "page.html"), "utf8"),
   report_style: await bundled("style.css"),
   // The script stands inside <script>: nothing in it may end that element.
   report_script: (await bundled("main.js")).replaceAll("</script", "<\\/script"),
@@ -54,4 +53,9 @@ for (const [name, text] of Object.entries(parts)) {
   source += `\nstd::string ${name}() {\n  static const char text[] =\n${literal(text)};\n  return {text, ${size}};\n}\n`;
   console.log(`${name}: ${(size / 1024).toFixed(0)} kB`);
 }
+const templates = readdirSync(join(here, "templates")).filter((file) => file.endsWith(".html")).sort();
+source += "\nconst std::map<std::string, std::string>& report_templates() {\n  static const std::map<std::string, std::string> all = {\n";
+for (const file of templates)
+  source += `    {"${file.slice(0, -5)}",\n${literal(readFileSync(join(here, "templates", file), "utf8"))}},\n`;
+source += "  };\n  return all;\n}\n";
 writeFileSync(output, source + "\n}  // namespace icebow\n");

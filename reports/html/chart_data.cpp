@@ -1,20 +1,30 @@
 #include "reports/html/chart_data.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "base/json_fields.h"
-#include "base/text.h"
+#include "reports/content/comparison.h"
 #include "reports/tables/table_report.h"
 #include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
 
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
 // Four digits are more than a screen shows, and a third of the bytes.
 Json rounded(const std::vector<double>& values, const char* format) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(std::strtod(text(format, value).c_str(), nullptr));
+  for (const double value : values) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    list.push_back(std::strtod(text, nullptr));
+  }
   return list;
 }
 
@@ -27,50 +37,126 @@ Json steady_part(const Json& result, double lambda) {
   return std::isfinite(from) && std::isfinite(to) ? Json::array({from, to}) : Json(nullptr);
 }
 
-Json design_json(const RankedDesign& row, const DesignContent& design) {
+// Where the hull's margins leave the least room: {"name", "value"}.
+Json smallest_margin(const Json& result) {
+  const Json& margins = part_at(result, result_key::margins);
+  Json smallest;
+  if (!margins.is_object()) return smallest;
+  for (const auto& [name, value] : margins.items())
+    if (value.is_number() && (smallest.is_null() || value < smallest["value"]))
+      smallest = {{"name", name}, {"value", value}};
+  return smallest;
+}
+
+Json histories_json(const DesignContent& design) {
+  Json list = Json::array();
+  for (const LoadSeries& series : design.histories)
+    list.push_back({{"advance_m", rounded(series.advance, "%.2f")},
+                    {"load_N", rounded(series.load, "%.4g")},
+                    {"samples", series.samples}});
+  return list;
+}
+
+// Half of the waterline for the comparison of two bows, at most 40 points.
+Json outline_json(const std::vector<Vec3>& waterline) {
+  Json points = Json::array();
+  const std::size_t step = std::max<std::size_t>(1, waterline.size() / 40);
+  for (std::size_t i = 0; i < waterline.size(); i += step)
+    points.push_back(
+        {std::round(100.0 * waterline[i][0]) / 100.0, std::round(100.0 * waterline[i][1]) / 100.0});
+  return points;
+}
+
+double highest_of_runs(const ReportContent& content, const Evaluation& e, const char* pointer) {
+  double highest = number_at(e.result, pointer);
+  const auto repeats = content.study.repeats.find(e.name);
+  if (repeats != content.study.repeats.end())
+    for (const Evaluation& run : repeats->second) highest = std::max(highest, number_at(run.result, pointer));
+  return highest;
+}
+
+Json design_json(const ReportContent& content, std::size_t i) {
+  const RankedDesign& row = content.row(i);
+  const DesignContent& design = content.designs[i];
   const Evaluation& e = row.evaluation;
   Json angles;
   for (const char* angle : {"stem", "waterline", "buttock", "flare"})
-    angles[angle] = finite_or_null(measured_or_requested(e.result, angle));
+    angles[angle] = number(measured_or_requested(e.result, angle));
   Json parameters = Json::object();
-  for (const auto& [name, value] : e.parameters) parameters[name] = finite_or_null(value);
-  Json json = {{"id", design.id},
-               {"name", e.name},
-               {"status", to_string(e.status)},
-               {"rank", row.rank},
-               {"tied_with_best", row.tied_with_best},
-               {"tied_with_next", row.tied_with_next},
-               {"mean_N", finite_or_null(row.mean_load)},
-               {"ci95_N", finite_or_null(row.mean_load_ci95)},
-               {"max_N", finite_or_null(number_at(e.result, result_key::max_load))},
-               {"q95_N", finite_or_null(number_at(e.result, result_key::q95_load))},
-               {"lindqvist_N", finite_or_null(row.lindqvist)},
-               {"lambda", finite_or_null(design.lambda)},
-               {"angles_deg", angles},
-               {"parameters", parameters},
-               {"steady_m", steady_part(e.result, design.lambda)},
-               {"history", nullptr}};
-  if (!design.history.load.empty())
-    json["history"] = {{"advance_m", rounded(design.history.advance, "%.2f")},
-                       {"load_N", rounded(design.history.load, "%.4g")},
-                       {"samples", design.history.samples}};
-  return json;
+  for (const auto& [name, value] : e.parameters) parameters[name] = number(value);
+  const std::string& by = content.study.ranking.rank_by;
+  const MeanEstimate estimate = row.rank > 0 ? value_estimate(row, by) : MeanEstimate();
+  const auto order = content.study.order.find(e.name);
+  const bool tied = row.rank > 1 && compared_with(row, content.row(0), by).p >= told_apart_below;
+  return {{"id", design.id},
+          {"name", e.name},
+          {"status", to_string(e.status)},
+          {"order", order == content.study.order.end() ? 0 : order->second},
+          {"rank", row.rank},
+          {"tied_with_best", tied},
+          {"value", number(row.value)},
+          {"value_ci95", number(value_ci95(row, by))},
+          {"value_error", number(estimate.standard_error)},
+          {"value_freedom", number(estimate.degrees_of_freedom)},
+          {"mean_N", number(row.mean_load)},
+          {"ci95_N", number(row.mean_load_ci95)},
+          {"max_N", number(highest_of_runs(content, e, result_key::max_load))},
+          {"q95_N", number(number_at(e.result, result_key::q95_load))},
+          {"lindqvist_N", number(row.lindqvist)},
+          {"lambda", number(design.lambda)},
+          {"angles_deg", angles},
+          {"parameters", parameters},
+          {"smallest_margin", smallest_margin(e.result)},
+          {"steady_m", steady_part(e.result, design.lambda)},
+          {"outline_m", outline_json(design.waterline)},
+          {"histories", histories_json(design)}};
+}
+
+Json fit_json(const ResponseFit& fit) {
+  if (!fit.told()) return nullptr;
+  Json effects = Json::array();
+  for (const Effect& effect : fit.effects)
+    effects.push_back({{"pointer", effect.pointer},
+                       {"lower", effect.lower},
+                       {"upper", effect.upper},
+                       {"change", number(effect.change)},
+                       {"ci95", number(effect.ci95)},
+                       {"at", rounded(effect.at, "%.5g")},
+                       {"value", rounded(effect.value, "%.5g")},
+                       {"half_width", rounded(effect.half_width, "%.4g")},
+                       {"moved", rounded(effect.moved, "%.5g")}});
+  return {{"names", fit.names}, {"effects", effects}};
+}
+
+// Of an optimiser's or a sweep's variables, as the study file has them.
+Json bounds_json(const StudyResults& study) {
+  Json bounds = Json::object();
+  const Json& variables = part_at(study.document, "/method/variables");
+  if (!variables.is_object()) return bounds;
+  for (const auto& [pointer, range] : variables.items())
+    if (std::isfinite(number_at(range, "/min")))
+      bounds[pointer] = {number_at(range, "/min"), number_at(range, "/max")};
+  return bounds;
 }
 
 }  // namespace
 
-Json chart_data(const ReportContent& content) {
+Json chart_data(const ReportContent& content, const ResponseFit& fit) {
   Json designs = Json::array();
-  for (std::size_t i = 0; i < content.designs.size(); ++i)
-    designs.push_back(design_json(content.row(i), content.designs[i]));
+  for (std::size_t i = 0; i < content.designs.size(); ++i) designs.push_back(design_json(content, i));
+  const Ranking& ranking = content.study.ranking;
   return {
       {"name", content.study.name},
       {"unit",
        {{"name", content.unit.name}, {"newtons", content.unit.newtons}, {"decimals", content.unit.decimals}}},
-      {"rank_by", content.study.ranking.rank_by},
-      {"spearman", finite_or_null(content.study.ranking.spearman)},
-      {"spearman_n", content.study.ranking.spearman_n},
+      {"rank_by", ranking.rank_by},
+      {"quantity", ranked_quantity(ranking.rank_by)},
+      {"compared", compared_part(ranking)},
+      {"spearman", number(ranking.spearman)},
+      {"spearman_n", ranking.spearman_n},
+      {"bounds", bounds_json(content.study)},
       {"designs", designs},
+      {"fit", fit_json(fit)},
       {"csv", ranking_csv(content.study)}};
 }
 

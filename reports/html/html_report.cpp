@@ -1,51 +1,149 @@
 #include "reports/html/html_report.h"
 
+#include <cmath>
+
 #include "base/json.h"
+#include "base/json_fields.h"
+#include "reports/content/response_fit.h"
+#include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
 #include "reports/html/content_security.h"
-#include "reports/html/html_sections.h"
+#include "reports/html/overview_view.h"
 #include "reports/html/page_template.h"
+#include "reports/html/ranking_view.h"
 #include "reports/html/report_assets.h"
+#include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
 
 namespace icebow {
 namespace {
 
-// A value for {{#name}} blocks: present or not.
-std::string flag(bool on) {
-  return on ? "yes" : "";
+constexpr int whole_cards = 25;  // further ones are filled when a reader opens them
+constexpr int open_cards = 3;
+
+struct Cards {
+  std::string html;
+  Json bodies = Json::object();  // by the design's id, of cards that are filled later
+};
+
+Cards cards_of(const ReportContent& content) {
+  Cards cards;
+  for (std::size_t i = 0; i < content.designs.size(); ++i) {
+    const int rank = content.row(i).rank;
+    if (rank < 1) continue;
+    Json head = card_head_view(content, i);
+    std::string body = rendered("card_body", card_body_view(content, i));
+    head["open"] = rank <= open_cards;
+    head["body"] = rank <= whole_cards ? body : "";
+    if (rank > whole_cards) cards.bodies[content.designs[i].id] = std::move(body);
+    cards.html += rendered("card", head);
+  }
+  return cards;
 }
 
-std::map<std::string, std::string> page_values(const ReportContent& content) {
+Json first_screen(const ReportContent& content) {
+  const StudyResults& study = content.study;
+  const Json best = content.verdict.ranks ? podium_view(content) : Json::array();
+  return {{"kicker", kicker(study)},
+          {"name", study.name},
+          {"purpose", study.purpose},
+          {"unfinished", !study.finished()},
+          {"headline", content.verdict.headline},
+          {"has_best", best.size() > 1},
+          {"best", best},
+          {"ice", content.conditions.ice},
+          {"next", content.verdict.next},
+          {"has_remarks", !content.verdict.remarks.empty()},
+          {"remarks", content.verdict.remarks}};
+}
+
+std::string capitalised(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+bool is_optimised(const StudyResults& study) {
+  return text_at(study.document, "/method/type") == "optimise";
+}
+
+Json charts(const ReportContent& content, const ResponseFit& fit) {
+  const StudyResults& study = content.study;
+  bool parameters = false, model = false;
+  for (const RankedDesign& row : study.ranking.rows)
+    parameters = parameters || (row.rank > 0 && !row.evaluation.parameters.empty());
+  for (const DesignContent& design : content.designs) model = model || design.lambda > 1.0;
+  const bool simulated = content.has_simulated();
+  const std::string percent = "\u00a0%";
+  return {
+      {"quantity", ranked_quantity(study.ranking.rank_by)},
+      {"chart_quantity",
+       capitalised(content.has_loads() ? "mean ice load" : ranked_quantity(study.ranking.rank_by))},
+      {"has_loads", content.has_loads()},
+      {"has_model_loads", model},
+      {"has_lindqvist", content.has_lindqvist()},
+      {"has_both", content.has_loads() && content.has_lindqvist() && study.ranked() > 0},
+      {"has_histories", content.has_histories()},
+      {"has_optimiser", is_optimised(study)},
+      {"search_ends", "A design on a bound or with a margin near zero is named in the tooltip."},
+      {"has_parameters", parameters && study.ranked() > 2},
+      {"constant_angles", ""},
+      {"simulated_word", simulated ? "Simulated" : "Breaking cycle"},
+      {"simulated_lower", simulated ? "simulated" : "cycle's"},
+      {"unlike_ice", content.conditions.unlike_ices.empty()
+                         ? ""
+                         : "The two are of unlike ices: " + content.conditions.unlike_ices + "."},
+      {"record_words",
+       model ? "Ice resistance against the distance sailed since first touch, full scale; model-scale load "
+               "on the right."
+             : "Ice resistance against the distance sailed since first touch, full scale."},
+      {"has_fit", fit.told()},
+      {"fit_words",
+       fit.quadratic ? "a polynomial of second degree fitted to " + std::to_string(fit.designs) + " designs."
+                     : "a linear fit to " + std::to_string(fit.designs) + " designs."},
+      {"fit_error", "A design left out of the fit is missed by " + fixed(100.0 * fit.left_out_error, 1) +
+                        percent + " of the mean load (root mean square); the designs themselves scatter by " +
+                        fixed(100.0 * fit.spread, 1) + percent + "."}};
+}
+
+Json page_view(const ReportContent& content) {
   const StudyResults& study = content.study;
   const int ranked = study.ranked();
-  return {{"name", html_escaped(study.name)},
-          {"purpose", html_escaped(study.purpose)},
-          {"version", html_escaped(study.version)},
-          {"quantity", html_escaped(ranked_quantity(study.ranking.rank_by))},
-          {"unit", content.unit.name},
-          {"unfinished", flag(!study.finished())},
-          {"verdict", verdict_html(study)},
-          {"provenance", provenance_html(study)},
-          {"conditions", conditions_html(content)},
-          {"ranking", ranked > 0 ? ranking_table_html(content) : ""},
-          {"cards", design_cards_html(content)},
-          {"unranked", unranked_html(content)},
-          {"has_loads", flag(content.has_loads())},
-          {"has_lindqvist", flag(content.has_lindqvist())},
-          {"has_both", flag(content.has_loads() && content.has_lindqvist() && ranked > 0)},
-          {"has_histories", flag(content.has_histories())},
-          {"policy", content_security_policy(report_script())},
-          {"data", json_for_script(chart_data(content))},
-          {"style", report_style()},
-          {"script", report_script()}};
+  const ResponseFit fit = fit_response(study);
+  const Cards cards = cards_of(content);
+  const Json unranked = unranked_view(content);
+  const auto all_unranked = study.ranking.rows.size() - static_cast<std::size_t>(ranked);
+  Json page = {
+      {"version", study.version},
+      {"ranked", ranked > 0},
+      {"can_compare", ranked > 1},
+      {"has_unranked", !unranked.empty()},
+      {"unranked", unranked},
+      {"unranked_left_out", all_unranked > unranked.size()
+                                ? std::to_string(all_unranked - unranked.size()) + " more are in ranking.csv."
+                                : ""},
+      {"cards", cards.html},
+      {"card_bodies", json_for_script(cards.bodies)},
+      {"method", method_view(content)},
+      {"has_shared", !content.conditions.shared.empty()},
+      {"shared", facts_view(content.conditions.shared, false)},
+      {"has_simulated", !content.conditions.simulated.empty()},
+      {"simulated", facts_view(content.conditions.simulated, false)},
+      {"provenance", provenance_view(study)},
+      {"policy", content_security_policy(report_script())},
+      {"data", json_for_script(chart_data(content, fit))},
+      {"style", report_style()},
+      {"script", report_script()}};
+  page.update(first_screen(content));
+  page.update(charts(content, fit));
+  page.update(ranking_view(content));
+  return page;
 }
 
 }  // namespace
 
 void write_html_report(const std::string& study_directory, const std::string& html_path) {
   const ReportContent content = read_report_content(study_directory);
-  write_text_file(html_path, filled(report_page_template(), page_values(content)));
+  write_text_file(html_path, rendered("page", page_view(content)));
 }
 
 }  // namespace icebow

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "base/json_fields.h"
+#include "reports/content/comparison.h"
+#include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
 #include "reports/content/verdict.h"
 #include "reports/text/text_format.h"
@@ -24,7 +26,8 @@ std::set<std::string> parameter_names(const Ranking& ranking) {
   return names;
 }
 
-std::string csv_row(const RankedDesign& row, const std::set<std::string>& parameters) {
+// `p_best`: how often a mean equal to the best one would look so unlike.
+std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::string>& parameters) {
   const Evaluation& e = row.evaluation;
   const auto result = [&](const char* pointer) { return ',' + csv_number(number_at(e.result, pointer)); };
   std::string line =
@@ -41,6 +44,9 @@ std::string csv_row(const RankedDesign& row, const std::set<std::string>& parame
   line += std::string(",") + (row.tied_with_best ? "1" : "0") + ',' + (row.tied_with_next ? "1" : "0");
   line +=
       ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
+  line += ',' + csv_number(p_best) + result(result_key::effective_samples) + ',' +
+          csv_field(text_at(e.result, result_key::lindqvist_caution)) + ',' +
+          csv_field(unlike_ice_words(e.result));
   line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
   for (const std::string& name : parameters) {
     const auto it = e.parameters.find(name);
@@ -103,10 +109,15 @@ std::string ranking_csv(const StudyResults& study) {
       "q95_load_N,std_load_N,model_mean_load_N,model_mean_load_ci95_N,lindqvist_crushing_N,lindqvist_bending_"
       "N,"
       "lindqvist_submersion_N,lindqvist_breaking_N,lindqvist_total_N,ratio,tied_with_best,tied_with_next,"
-      "runs,ci95_series_N,ci95_repeats_N,wall_s,reason";
+      "runs,ci95_series_N,ci95_repeats_N,p_best,samples,lindqvist_caution,unlike_ice,wall_s,reason";
   for (const std::string& name : parameters) text += ',' + csv_field(name);
   text += '\n';
-  for (const RankedDesign& row : study.ranking.rows) text += csv_row(row, parameters);
+  for (const RankedDesign& row : study.ranking.rows) {
+    const bool compared = row.rank > 1;
+    const double p =
+        compared ? compared_with(row, study.ranking.rows.front(), study.ranking.rank_by).p : std::nan("");
+    text += csv_row(row, p, parameters);
+  }
   return text;
 }
 
@@ -116,6 +127,9 @@ std::string ranking_markdown(const StudyResults& study) {
   std::string text = "# " + markdown_escaped(study.name) + "\n\n";
   if (!study.purpose.empty()) text += markdown_escaped(study.purpose) + "\n\n";
   text += "**" + markdown_escaped(words.headline) + "**\n";
+  const std::string ice = conditions(study).ice;
+  if (!ice.empty()) text += markdown_escaped(ice) + '\n';
+  if (!words.next.empty()) text += "Next: " + markdown_escaped(words.next) + '\n';
   for (const std::string& remark : words.remarks) text += markdown_escaped(remark) + '\n';
   if (study.ranked() > 0) {
     text +=
@@ -126,7 +140,8 @@ std::string ranking_markdown(const StudyResults& study) {
     for (const RankedDesign& row : study.ranking.rows)
       if (row.rank > 0) text += markdown_row(row, unit);
     text +=
-        "\nFull scale. \u2248: the 95\u00a0% interval overlaps that of rank 1. Ratio: mean load over "
+        "\nFull scale. \u2248: not told apart from rank 1 (Welch's test, p of 0.05 or more). Ratio: mean "
+        "load over "
         "Lindqvist's " +
         compared_part(study.ranking) + (compared_part(study.ranking) == "total" ? ".\n" : " part.\n");
   }

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "cli/process_text.h"
 #include "cli/text_table.h"
+#include "study/evaluate/result_keys.h"
 #include "study/spec/spec_hints.h"
 #include "study/store/store.h"
 
@@ -50,6 +53,20 @@ std::string tie(const RankedDesign& row) {
   return row.tied_with_next ? "with the next" : "";
 }
 
+// What the formula says of its own range, once for each sentence.
+std::string cautions(const Ranking& ranking) {
+  std::map<std::string, std::vector<std::string>> designs;
+  for (const RankedDesign& row : ranking.rows) {
+    const std::string caution = text_at(row.evaluation.result, result_key::lindqvist_caution);
+    if (row.rank > 0 && !caution.empty()) designs[caution].push_back(row.evaluation.name);
+  }
+  std::string text;
+  for (const auto& [caution, names] : designs)
+    text += "\ncaution: Lindqvist's formula for " + std::to_string(names.size()) + " designs, first " +
+            names.front() + ": " + caution + "\n";
+  return text;
+}
+
 }  // namespace
 
 Ranking read_ranking(const std::string& directory) {
@@ -87,6 +104,7 @@ std::string ranking_text(const Ranking& ranking) {
   const std::string process = process_table(ranking);
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;
+  text += cautions(ranking);
   for (const std::string& warning : ranking.warnings) text += "\nwarning: " + warning + "\n";
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {

@@ -55,7 +55,10 @@ TEST_CASE("the page names every design and gives the reasons of those that are n
     CHECK(holds(html, std::string(">") + name + "<"));
   CHECK(holds(html, "unstable at step 8120"));
   CHECK(holds(html, "g1 = -3.41 m"));
-  CHECK(holds(html, "Thyssen-Waas has the lowest mean ice load, 0.75"));
+  CHECK(holds(html,
+              "Thyssen-Waas (stem 14.0\u00b0, waterline 39.0\u00b0, buttock 13.0\u00b0 and flare 77.0\u00b0) "
+              "has the lowest mean ice load, 0.75"));
+  CHECK(holds(html, "23\u00a0% below the baseline (p "));
   CHECK(count(html, "<details class=\"card\"") == 10);
 }
 
@@ -97,8 +100,8 @@ TEST_CASE("the data in the page is that of the store, full scale") {
   CHECK(white.at("mean_N").get<double>() == Approx(50.3 * 25 * 25 * 25));
   CHECK(white.at("ci95_N").get<double>() == Approx(4.4 * 25 * 25 * 25));
   CHECK(white.at("steady_m") == Json::array({12.5, 62.5}));
-  CHECK(white.at("history").at("advance_m").back().get<double>() == Approx(62.5));
-  CHECK(white.at("history").at("load_N").size() == 400);
+  CHECK(white.at("histories")[0].at("advance_m").back().get<double>() == Approx(62.5));
+  CHECK(white.at("histories")[0].at("load_N").size() == 400);
   CHECK(design_of(data, "too full").at("mean_N").is_null());
 }
 
@@ -121,13 +124,15 @@ TEST_CASE("a report of a study that is still running says so") {
   CHECK_FALSE(holds(sample_html(), "Unfinished study."));
 }
 
-TEST_CASE("a study without simulations has no charts of loads, and is ranked by the formula") {
+TEST_CASE("a study by the formula alone is ranked and drawn by it") {
   SampleStudy options;
   options.peridynamics = false;
   const std::string html = sample_html(options);
   CHECK(holds(html, "lowest breaking resistance by Lindqvist&#39;s formula"));
   CHECK_FALSE(holds(html, "id=\"chart-history\""));
   CHECK_FALSE(holds(html, "id=\"chart-scatter\""));
+  CHECK(holds(html, "id=\"chart-loads\""));
+  CHECK_FALSE(holds(html, "What the simulation includes"));
   CHECK(count(html, "<details class=\"card\"") == 10);
 }
 
@@ -137,7 +142,28 @@ TEST_CASE("a study without the formula is ranked by its loads alone") {
   const std::string html = sample_html(options);
   CHECK(holds(html, "id=\"chart-loads\""));
   CHECK_FALSE(holds(html, "id=\"chart-scatter\""));
-  CHECK_FALSE(holds(html, "Lindqvist's breaking part"));
+  CHECK_FALSE(holds(html, "Lindqvist&#39;s breaking part"));
+}
+
+TEST_CASE("what the study simulates is told as the study has it") {
+  const Scratch study("told");
+  write_sample_study(study.path(), {});
+  Json document = parse_json(read_text_file(study.path() + "/study.json"), "study");
+  document["water"] = {{"added_mass_m", 4.0}, {"drag", 1.2}};
+  write_text_file(study.path() + "/study.json", document.dump());
+  const std::string html = html_of(study);
+  CHECK(holds(html, "water that moves with the ice (added mass)"));
+  CHECK(holds(html, "added mass of a layer 4.0\u00a0m deep"));
+  CHECK(holds(html, "drag coefficient 1.2"));
+  CHECK(holds(html, "Layers through the thickness"));
+  CHECK_FALSE(holds(html, "measured mean load"));
+}
+
+TEST_CASE("cards beyond the first ones wait in the data of the page") {
+  const std::string html = sample_html();
+  const std::size_t begin = html.find("id=\"icebow-cards\">");
+  REQUIRE(begin != std::string::npos);
+  CHECK(html.compare(begin, 21, "id=\"icebow-cards\">{}<") == 0);  // ten designs stand in the page whole
 }
 
 TEST_CASE("results with next to nothing in them still make a page") {

@@ -1,8 +1,9 @@
 // The part of a design's card that tells how its ice broke.
-#include "reports/html/html_process.h"
+#include "reports/html/process_view.h"
 
 #include <catch2/catch.hpp>
 
+#include "reports/html/page_template.h"
 #include "study/evaluate/process_json.h"
 
 namespace icebow {
@@ -33,6 +34,10 @@ BreakingProcess made_up() {
   return p;
 }
 
+std::string process_html(const Json& result) {
+  return rendered("process", {{"process", process_view(result, 25.0)}});
+}
+
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -41,7 +46,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 TEST_CASE("the card tells cracks, sizes, load and pieces, at full scale and over h and l") {
   const Json result = {{"process", process_json(made_up())}};
-  const std::string html = process_html(result, 25.0);
+  const std::string html = process_html(result);
   CHECK(holds(html,
               "Circumferential</th><td class=\"num\">1</td><td class=\"num\">31.5</td>"
               "<td class=\"num\">5.0</td>"));
@@ -55,8 +60,8 @@ TEST_CASE("the card tells cracks, sizes, load and pieces, at full scale and over
 }
 
 TEST_CASE("a result without the breaking process has no such part") {
-  CHECK(process_html({{"metrics", nullptr}}, 25.0).empty());
-  CHECK(process_html({{"process", nullptr}}, 25.0).empty());
+  CHECK(process_view({{"metrics", nullptr}}, 25.0).is_null());
+  CHECK(process_view({{"process", nullptr}}, 25.0).is_null());
 }
 
 TEST_CASE("counts are of all, lists of the largest") {

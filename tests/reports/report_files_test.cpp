@@ -116,7 +116,7 @@ TEST_CASE("the waterline of a bow is cut from its mesh") {
   CHECK(waterline.front()[1] == Approx(0.0).margin(1e-9));
   CHECK(waterline.back()[0] == Approx(-20.0));
   CHECK(waterline.back()[1] == Approx(11.5));
-  const std::string svg = plan_svg(waterline, 25.0, 2.0);
+  const std::string svg = bow_outline(waterline, 25.0, 2.0).path;
   CHECK(svg.find("L50.0,23.0") != std::string::npos);  // the stem, at the right end, on the centre line
   CHECK(svg.find("L10.0,0.0") != std::string::npos);   // the shoulder, 20 m aft of it, at half the beam
 }
@@ -127,7 +127,7 @@ TEST_CASE("a file that is no mesh gives no waterline") {
   write_text_file(file, "v 0 0 0\nf 1 2 3\n");
   CHECK(read_waterline(file).empty());
   CHECK(read_waterline(directory.path() + "/missing.obj").empty());
-  CHECK(plan_svg({}, 10.0, 1.0).empty());
+  CHECK(bow_outline({}, 10.0, 1.0).path.empty());
 }
 
 }  // namespace icebow

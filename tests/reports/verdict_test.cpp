@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
 
 namespace icebow {
@@ -33,16 +34,17 @@ bool says(const Verdict& words, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("the best design stands alone, or with those it cannot be told apart from") {
+TEST_CASE("the best design is told from the others, or the others are counted") {
   const Verdict alone = verdict(study_of({measured("a", 1.2e6, 5e4), measured("b", 0.8e6, 6e4)}));
-  CHECK(alone.headline ==
-        "b has the lowest mean ice load, 0.80\u00a0\u00b1\u00a00.06\u00a0MN; its interval overlaps that of "
-        "no other design.");
+  CHECK(alone.ranks);
+  CHECK(alone.headline == "b has the lowest mean ice load, 0.80\u00a0\u00b1\u00a00.06\u00a0MN.");
   const Verdict tied =
-      verdict(study_of({measured("a", 0.9e6, 5e4), measured("b", 0.8e6, 6e4), measured("c", 2e6, 5e4)}));
-  CHECK(
-      tied.headline ==
-      "b has the lowest mean ice load, 0.80\u00a0\u00b1\u00a00.06\u00a0MN; a cannot be told apart from it.");
+      verdict(study_of({measured("a", 0.85e6, 5e4), measured("b", 0.8e6, 6e4), measured("c", 2e6, 5e4)}));
+  CHECK(tied.headline ==
+        "b has the lowest mean ice load, 0.80\u00a0\u00b1\u00a00.06\u00a0MN; 1 other design cannot be told "
+        "apart from "
+        "it.");
+  CHECK(tied.next.find("repeats") != std::string::npos);
 }
 
 TEST_CASE("an interval that is not known is not made up") {
@@ -50,11 +52,64 @@ TEST_CASE("an interval that is not known is not made up") {
   CHECK(words.headline == "a has the lowest mean ice load, 0.812\u00a0MN.");
 }
 
-TEST_CASE("the baseline is compared with where it is another design") {
+TEST_CASE("the baseline is compared with where it is another design, with the test of the difference") {
   const Verdict words = verdict(study_of({measured("baseline", 1.0e6, 5e4), measured("b", 0.75e6, 6e4)}));
-  CHECK(says(words, "25\u00a0% below the baseline (1.00\u00a0\u00b1\u00a00.05\u00a0MN)"));
-  CHECK_FALSE(says(verdict(study_of({measured("baseline", 0.8e6, 5e4), measured("b", 0.75e6, 6e4)})),
-                   "below the baseline"));
+  CHECK(words.headline ==
+        "b has the lowest mean ice load, 0.75\u00a0\u00b1\u00a00.06\u00a0MN, 25\u00a0% below the baseline (p "
+        "< 0.001).");
+  const Verdict near = verdict(study_of({measured("baseline", 0.8e6, 5e4), measured("b", 0.75e6, 6e4)}));
+  CHECK(near.headline.find("6\u00a0% below the baseline (p = 0.21: not told apart)") != std::string::npos);
+}
+
+TEST_CASE("records that are too short rank nothing, and say how far to sail") {
+  const auto short_run = [](const std::string& name, double mean, double ci95, double samples) {
+    Evaluation e = measured(name, mean, ci95);
+    e.wall_seconds = 600.0;
+    e.result["simulation"] = {{"lambda", 25}};
+    e.result["metrics"]["effective_samples"] = samples;
+    e.result["metrics"]["full_scale"]["steady_from_m"] = 10.0;
+    e.result["metrics"]["full_scale"]["steady_to_m"] = 35.0;
+    return e;
+  };
+  StudyResults wide = study_of({short_run("a", 1e6, 1.2e6, 20.0), short_run("b", 2e6, 1e5, 20.0)});
+  wide.wall_seconds = 1200.0;
+  const Verdict words = verdict(wide);
+  CHECK_FALSE(words.ranks);
+  CHECK(words.headline ==
+        "This study does not rank these bows: the 95\u00a0% interval of a is wider than its mean.");
+  // A half width of 0.2 of the mean wants 36 times the 25 m: 10 + 900 m.
+  CHECK(
+      words.next ==
+      "Sail 910\u00a0m instead of 35\u00a0m (operation.advance_m): about 8\u00a0h 40\u00a0min of computing.");
+  const Verdict few = verdict(study_of({short_run("a", 1e6, 1e5, 4.0), short_run("b", 2e6, 1e5, 20.0)}));
+  CHECK(few.headline ==
+        "This study does not rank these bows: the record of a is worth 4 independent samples, and 10 "
+        "are the least.");
+  CHECK(few.next.find("Sail 75\u00a0m instead of 35\u00a0m") == 0);  // 10 / 4 times the steady part
+}
+
+TEST_CASE("what the formula says of its own range stands among the remarks, once") {
+  std::vector<Evaluation> designs = {measured("a", 1e6, 5e4), measured("b", 2e6, 5e4),
+                                     measured("c", 3e6, 5e4)};
+  for (const std::size_t i : {0u, 2u}) designs[i].result["lindqvist"]["caution"] = "not made for flat bows";
+  const Verdict words = verdict(study_of(designs));
+  CHECK(says(words, "Lindqvist's formula for a and c: Not made for flat bows."));
+}
+
+TEST_CASE("unlike ships or ices in one study are told") {
+  std::vector<Evaluation> designs = {measured("a", 1e6, 5e4), measured("b", 2e6, 5e4)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    designs[i].result["lindqvist"]["inputs"] = {{"B_m", 20.0 + static_cast<double>(i)},
+                                                {"sigma_f_Pa", 863e3}};
+    designs[i].result["simulation"] = {{"nz", 3},
+                                       {"ice", {{"flexural_strength_Pa", 5952e3}, {"model", "paper"}}}};
+  }
+  const StudyResults study = study_of(designs);
+  CHECK(says(verdict(study), "The ranking compares unlike cases: Beam is 20.0 to 21.0\u00a0m."));
+  const Conditions found = conditions(study);
+  CHECK(found.unlike_ices == "simulated in ice of 5952\u00a0kPa, the formula in ice of 863\u00a0kPa");
+  CHECK(found.ice.find("5952\u00a0kPa in bending, by its toughness, as published, 3\u00a0layers") !=
+        std::string::npos);
 }
 
 TEST_CASE("the order of the formula is put in words only where there are designs enough") {

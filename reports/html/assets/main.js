@@ -2,6 +2,7 @@
 import { redrawCharts, resizeCharts, setUpCharts } from "./charts/charts.js";
 import { setUpCards } from "./cards.js";
 import { setUpDownloads } from "./downloads.js";
+import { setUpFilter } from "./filter.js";
 import { setUpSorting } from "./sorting.js";
 import { setUpTheme } from "./theme.js";
 
@@ -20,6 +21,7 @@ async function start() {
   setUpSorting();
   setUpCards(resizeCharts);
   setUpDownloads(data);
+  setUpFilter(data);
   // Labels are measured when drawn: the typeface has to be there.
   await Promise.all(["400", "600"].map((weight) => document.fonts.load(`${weight} 12px "Source Sans 3 Variable"`)));
   setUpCharts(data);

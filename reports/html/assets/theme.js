@@ -28,19 +28,17 @@ export function setUpTheme(redraw) {
   printInLight(root, redraw);
 }
 
-// Paper is white: charts are redrawn for it, and every card is opened.
+// Paper is white: charts are redrawn for it. Cards print as they stand: those of the best three are open.
 function printInLight(root, redraw) {
   let before = null;
   addEventListener("beforeprint", () => {
-    before = { theme: root.dataset.theme, closed: [...document.querySelectorAll("details:not([open])")] };
+    before = { theme: root.dataset.theme };
     root.dataset.theme = "light";
-    before.closed.forEach((card) => { card.open = true; });
     redraw({ paper: true });
   });
   addEventListener("afterprint", () => {
     if (!before) return;
     if (before.theme) root.dataset.theme = before.theme; else delete root.dataset.theme;
-    before.closed.forEach((card) => { card.open = false; });
     before = null;
     redraw();
   });

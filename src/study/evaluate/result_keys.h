@@ -29,6 +29,10 @@ inline std::string file(const std::string& kind) {
   return "/files/" + kind;
 }
 
+inline std::string cycle_part(const std::string& part) {
+  return "/cycle/" + part + "_N";
+}
+
 // A load at both scales, with the half width of its interval where it has one.
 struct Load {
   const char *full, *model;
@@ -66,6 +70,10 @@ constexpr const char* broken_bonds = "/metrics/broken_bonds";
 constexpr const char* metrics_lambda = "/metrics/lambda";
 constexpr const char* cycle_load = "/cycle/mean_load_N";
 constexpr const char* cycle_load_ci95 = "/cycle/mean_load_ci95_N";
+constexpr const char* cycle = "/cycle";
+constexpr const char* cycle_voyages = "/cycle/voyages";
+constexpr const char* cycle_ci95_voyages = "/cycle/ci95_voyages_N";
+constexpr const char* cycle_effective_samples = "/cycle/metrics/effective_samples";
 constexpr const char* cycle_submersion = "/cycle/submersion_N";
 constexpr const char* bias = "/metrics/resolution_bias/relative";
 constexpr const char* bias_ci95 = "/metrics/resolution_bias/ci95";
@@ -98,6 +106,8 @@ constexpr const char* tensile_strength = "/simulation/tensile_strength_Pa";
 constexpr const char* crushing_pressure = "/simulation/crushing_pressure_Pa";
 constexpr const char* load_part = "/simulation/load";
 constexpr const char* simulated_flexural_strength = "/simulation/ice/flexural_strength_Pa";
+constexpr const char* simulated_ice_model = "/simulation/ice/model";
+constexpr const char* bond_modulus = "/simulation/elastic_modulus_Pa";
 constexpr const char* lambda = "/simulation/lambda";
 constexpr const char* ns_per_bond = "/simulation/ns_per_bond";
 constexpr const char* ranks = "/provenance/ranks";

@@ -43,10 +43,20 @@ double half_width(const RankedDesign& row, const std::string& rank_by) {
   return rank_by == "mean_load_per_beam" ? half / beam(row.evaluation.result) : half;
 }
 
-// A record too short for an interval may hide any difference.
-bool overlap(double a, double half_a, double b, double half_b) {
-  if (!std::isfinite(half_a) || !std::isfinite(half_b)) return true;
-  return std::fabs(a - b) <= half_a + half_b;
+double cycle_samples(const Json& result) {
+  const bool by_voyages =
+      number_at(result, result_key::cycle_ci95_voyages) == number_at(result, result_key::cycle_load_ci95);
+  return number_at(result, by_voyages ? result_key::cycle_voyages : result_key::cycle_effective_samples);
+}
+
+// Independent samples behind the half width; NaN = the result does not say.
+double samples(const RankedDesign& row, const std::string& rank_by) {
+  const Json& result = row.evaluation.result;
+  if (std::isfinite(row.difference_ci95) && rank_by != "cycle_load") return nan_value;
+  if (rank_by != "cycle_load" && row.runs > 1) return row.runs;
+  const bool swept = std::isfinite(row.cycle_load) && !part_at(result, result_key::simulation).is_object();
+  return rank_by == "cycle_load" || swept ? cycle_samples(result)
+                                          : number_at(result, result_key::effective_samples);
 }
 
 RankedDesign described(const std::vector<Evaluation>& runs, const std::string& rank_by) {
@@ -122,7 +132,8 @@ bool before(const RankedDesign& a, const RankedDesign& b) {
 
 void mark_ties(Ranking& ranking, std::size_t ranked) {
   const auto tied = [&](const RankedDesign& a, const RankedDesign& b) {
-    return overlap(a.value, half_width(a, ranking.rank_by), b.value, half_width(b, ranking.rank_by));
+    return mean_difference(value_estimate(a, ranking.rank_by), value_estimate(b, ranking.rank_by)).p >=
+           told_apart_below;
   };
   for (std::size_t i = 0; i < ranked; ++i) {
     RankedDesign& row = ranking.rows[i];
@@ -160,7 +171,7 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
     }
   }
   if (!tied.empty())
-    words.push_back("the difference to the best design is smaller than the 95 % intervals: " +
+    words.push_back("not told apart from the best design (Welch's test, p of 0.05 or more): " +
                     listed_names(tied) + "; a longer advance or more repeats narrow them");
   if (!known)
     words.push_back((sentence.empty() ? "resolution bias: not known for this spacing" : sentence) +
@@ -238,7 +249,7 @@ void correct(Ranking& ranking) {
                                                      ranking.confirmed.half_width_of_difference(parameters));
     if (ranking.rank_by == "mean_load") row.value = row.mean_load;
     if (ranking.rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(row.evaluation.result);
-    if (row.lindqvist_breaking > 0.0) row.ratio = row.mean_load / row.lindqvist_breaking;
+    if (row.lindqvist > 0.0) row.ratio = row.mean_load / row.lindqvist;
   }
 }
 
@@ -281,6 +292,12 @@ double ranking_value(const Evaluation& e, const std::string& rank_by) {
   if (rank_by == "lindqvist_breaking") return lindqvist_breaking(e.result);
   if (rank_by == "cycle_load") return number_at(e.result, result_key::cycle_load);
   return mean_load(e.result) / beam(e.result);
+}
+
+MeanEstimate value_estimate(const RankedDesign& row, const std::string& rank_by) {
+  const double number = samples(row, rank_by);
+  return mean_estimate(row.value, half_width(row, rank_by),
+                       std::isfinite(number) ? number : std::numeric_limits<double>::infinity());
 }
 
 Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/model/mean_difference.h"
 #include "study/evaluate/evaluation.h"
 #include "study/plan/confirmation.h"
 #include "study/spec/study_spec.h"
@@ -15,8 +16,8 @@ struct RankedDesign {
   Evaluation evaluation;        // of repeated runs the first one that is ok
   int runs = 1;                 // that the numbers below are of: those that are ok
   int rank = 0;                 // 1 = best; 0 = not ranked (infeasible, failed, running)
-  bool tied_with_next = false;  // its interval overlaps that of the next design
-  bool tied_with_best = false;  // its interval overlaps that of the best design
+  bool tied_with_next = false;  // Welch's test does not tell it from the next design
+  bool tied_with_best = false;  // nor, here, from the best one
   double value = std::numeric_limits<double>::quiet_NaN();  // what was ranked (smaller is better), full scale
   double mean_load = std::numeric_limits<double>::quiet_NaN();  //!< of the runs' means, full scale [N]
   // Half width of its 95 % interval: by the scatter of repeated runs, of one run by its series; full scale
@@ -55,6 +56,12 @@ struct Ranking {
 // "lindqvist_breaking" [N], all full scale. NaN where the evaluation is not ok or has no such number. Throws
 // InputError for another word.
 double ranking_value(const Evaluation& evaluation, const std::string& rank_by);
+
+// What the ranked value is worth for Welch's test (solver/model/mean_difference.h): its standard error by the
+// runs' scatter, by the fit of a study that confirms designs, or by the independent samples of its series. A
+// formula's value is exact; where a result does not say how many samples, its interval is taken for that of
+// many.
+MeanEstimate value_estimate(const RankedDesign& row, const std::string& rank_by);
 
 // Evaluations of one design's repeats (study/plan/repeats.h) make one row. An evaluation that is ok but has
 // no number to rank by is listed with the failed ones, with the reason.

@@ -4,7 +4,7 @@ import { axis, colour, draw, escaped, format, isNumber, nice, palette, tooltip }
 const STYLES = [["solid", 0], [[7, 4], 1], [[2, 3], 2], [[10, 3, 2, 3], 3], [[5, 2], 4], [[12, 5], 5]];
 const chosen = []; // ids; a place in this list is a line style, kept while the design stays chosen
 
-const recorded = (data) => data.designs.filter((design) => design.history);
+const recorded = (data) => data.designs.filter((design) => design.histories.length > 0);
 const styleOf = (id) => STYLES[chosen.indexOf(id) % STYLES.length];
 
 function choose(id, on) {
@@ -43,20 +43,24 @@ export function setUpHistory(data, redraw) {
   }
 }
 
-function series(design, unit, shade) {
-  const [dash, hue] = styleOf(design.id), stroke = colour(`series-${hue}`), scale = 1 / unit.newtons;
-  const { advance_m: x, load_N: load } = design.history;
-  const mean = design.mean_N * scale, [from, to] = design.steady_m ?? [x[0], x.at(-1)];
-  return {
-    name: design.name, type: "line", symbol: "none", data: x.map((at, i) => [at, load[i] * scale]),
-    lineStyle: { color: stroke, width: 1, type: "solid", opacity: 0.75 }, itemStyle: { color: stroke }, emphasis: { disabled: true },
-    markLine: isNumber(mean) ? {
-      silent: true, symbol: "none", lineStyle: { color: stroke, width: 2.2, type: dash },
-      label: { show: false },
-      data: [[{ coord: [from, mean] }, { coord: [to, mean] }]],
-    } : undefined,
-    markArea: shade && design.steady_m ? { silent: true, itemStyle: { color: shade }, data: [[{ xAxis: from }, { xAxis: to }]] } : undefined,
-  };
+// A line for each run; the mean of all, within the record: an axis hides a line that ends beyond it.
+function series(design, unit, shade, style) {
+  const [dash, hue] = style, stroke = colour(`series-${hue}`), scale = 1 / unit.newtons;
+  return design.histories.map(({ advance_m: x, load_N: load }, run) => {
+    const mean = design.mean_N * scale, inside = (at) => Math.min(Math.max(at, x[0]), x.at(-1));
+    const [from, to] = (design.steady_m ?? [x[0], x.at(-1)]).map(inside);
+    return {
+      name: design.histories.length > 1 ? `${design.name}, run ${run + 1}` : design.name,
+      type: "line", symbol: "none", data: x.map((at, i) => [at, load[i] * scale]),
+      lineStyle: { color: stroke, width: 1, type: "solid", opacity: run === 0 ? 0.75 : 0.35 }, itemStyle: { color: stroke }, emphasis: { disabled: true },
+      markLine: run === 0 && isNumber(mean) ? {
+        silent: true, symbol: "none", lineStyle: { color: stroke, width: 2.2, type: dash },
+        label: { show: false },
+        data: [[{ coord: [from, mean] }, { coord: [to, mean] }]],
+      } : undefined,
+      markArea: run === 0 && shade && design.steady_m ? { silent: true, itemStyle: { color: shade }, data: [[{ xAxis: from }, { xAxis: to }]] } : undefined,
+    };
+  });
 }
 
 function heading(items, unit) {
@@ -66,15 +70,16 @@ function heading(items, unit) {
 
 // Both load axes carry the same ticks: the right one reads them at model scale, where all designs share one scale.
 function loadAxes(p, designs, unit) {
-  const loads = designs.flatMap((d) => d.history.load_N);
+  const loads = designs.flatMap((d) => d.histories.flatMap((run) => run.load_N));
   const highest = loads.reduce((a, b) => Math.max(a, b), 0) / unit.newtons;
   const lowest = loads.reduce((a, b) => Math.min(a, b), 0) / unit.newtons;
   const ends = nice(lowest, highest || 1);
   const scales = new Set(designs.map((d) => d.lambda)), lambda = designs[0]?.lambda;
+  const isModel = scales.size === 1 && lambda > 1; // the breaking cycle sails at full scale
   return [
     axis(p, `Ice load, full scale, ${unit.name}`, { ...ends, nameGap: 40 }),
     axis(p, "model, N", {
-      ...ends, nameGap: 44, splitLine: { show: false }, show: scales.size === 1,
+      ...ends, nameGap: 44, splitLine: { show: false }, show: isModel,
       axisLabel: { color: p.muted, fontSize: 12, formatter: (value) => format((value * unit.newtons) / lambda ** 3, 0) },
     }),
   ];
@@ -83,10 +88,14 @@ function loadAxes(p, designs, unit) {
 export function drawHistory(data, options) {
   const element = document.getElementById("chart-history");
   const all = element ? recorded(data) : [];
+  if (all.length === 0) return;
   const designs = all.filter((design) => chosen.includes(design.id));
-  if (!element || all.length === 0) return;
-  const p = palette(), unit = data.unit;
-  const lines = designs.map((design, i) => series(design, unit, i === 0 && p.band));
+  drawRecords(element, designs, data.unit, options, options.paper ? 300 : 400, (design) => styleOf(design.id));
+}
+
+export function drawRecords(element, designs, unit, options, height, style = (design, i) => STYLES[i]) {
+  const p = palette();
+  const lines = designs.flatMap((design, i) => series(design, unit, i === 0 && p.band, style(design, i)));
   // The right axis appears only where a series uses it.
   lines.push({ type: "line", yAxisIndex: 1, data: [], silent: true });
   draw(element, {
@@ -100,5 +109,5 @@ export function drawHistory(data, options) {
         dataBackground: { lineStyle: { color: p.muted }, areaStyle: { color: p.rule } }, labelFormatter: (v) => `${Math.round(v)} m` },
     ],
     series: lines,
-  }, { ...options, height: options.paper ? 300 : 400 });
+  }, { ...options, height, canvas: false });
 }

@@ -3,10 +3,11 @@ import { CustomChart, LineChart, ScatterChart } from "echarts/charts";
 import { DataZoomComponent, GridComponent, MarkAreaComponent, MarkLineComponent, TooltipComponent } from "echarts/components";
 import { init, getInstanceByDom, use } from "echarts/core";
 import { LabelLayout } from "echarts/features";
-import { SVGRenderer } from "echarts/renderers";
+import { CanvasRenderer, SVGRenderer } from "echarts/renderers";
+import { isChosen } from "../selection.js";
 
 use([CustomChart, LineChart, ScatterChart, DataZoomComponent, GridComponent, MarkAreaComponent, MarkLineComponent,
-  TooltipComponent, LabelLayout, SVGRenderer]);
+  TooltipComponent, LabelLayout, CanvasRenderer, SVGRenderer]);
 
 const PAPER_WIDTH = 680; // px that A4 leaves between its margins
 const drawn = new Set();
@@ -16,10 +17,11 @@ export function forEachChart(action) {
 }
 
 // Draws into the element from scratch: a theme or paper changes every colour.
-export function draw(element, option, { paper = false, share = 1, height } = {}) {
+// `canvas`: for hundreds of points, each of which would be an element of the page.
+export function draw(element, option, { paper = false, share = 1, height, canvas = false } = {}) {
   getInstanceByDom(element)?.dispose();
   drawn.add(element);
-  const size = { renderer: "svg" };
+  const size = { renderer: canvas && !paper ? "canvas" : "svg" };
   if (height) element.style.height = `${height}px`;
   if (paper) size.width = Math.floor(PAPER_WIDTH * share);
   const chart = init(element, null, size);
@@ -41,7 +43,7 @@ export function colour(name) {
 }
 
 export function palette() {
-  const names = ["ink", "muted", "rule", "panel", "paper", "accent", "tied", "plain", "lindqvist", "band"];
+  const names = ["ink", "muted", "rule", "panel", "paper", "accent", "tied", "plain", "lindqvist", "band", "alert"];
   return Object.fromEntries(names.map((name) => [name, colour(name)]));
 }
 
@@ -88,7 +90,8 @@ export function withInterval(design, unit) {
 }
 
 export function describe(design, unit) {
-  const lines = [`<b>${escaped(design.name)}</b>, rank ${design.rank}`, `mean ${withInterval(design, unit)} ${unit.name}`];
+  const lines = [`<b>${escaped(design.name)}</b>, rank ${design.rank}`];
+  if (isNumber(design.mean_N)) lines.push(`mean ${withInterval(design, unit)} ${unit.name}`);
   if (isNumber(design.max_N)) lines.push(`peak ${format(design.max_N / unit.newtons, unit.decimals)} ${unit.name}`);
   if (isNumber(design.lindqvist_N)) lines.push(`Lindqvist ${format(design.lindqvist_N / unit.newtons, unit.decimals)} ${unit.name}`);
   const angles = ["stem", "waterline", "buttock", "flare"].map((key) => `${key} ${format(design.angles_deg[key], 1)}°`);
@@ -96,7 +99,9 @@ export function describe(design, unit) {
 }
 
 // Best: filled accent circle; tied with it: ring; the others: plain dot. The shape says it without the colour.
+// Not among the chosen ones: faint.
 export function look(design, p) {
+  if (!isChosen(design)) return { symbol: "circle", symbolSize: 6, itemStyle: { color: p.rule, opacity: 0.7 } };
   if (design.rank === 1) return { symbol: "circle", symbolSize: 12, itemStyle: { color: p.accent, opacity: 1 } };
   if (design.tied_with_best)
     return { symbol: "circle", symbolSize: 10, itemStyle: { color: p.panel, borderColor: p.accent, borderWidth: 2, opacity: 1 } };
@@ -119,4 +124,34 @@ export function intervals(p, data, upright = true) {
   };
 }
 
-export const measured = (data) => data.designs.filter((design) => design.rank > 0 && isNumber(design.mean_N));
+// What the charts show of a design: its mean load, or by the formula alone what it is ranked by.
+export const loadOf = (design) => design.mean_N ?? design.value;
+export const halfOf = (design) => (design.mean_N === null ? null : design.ci95_N);
+
+export const measured = (data) => data.designs.filter((design) => design.rank > 0 && isNumber(loadOf(design)));
+export const MANY = 120; // designs from which charts are drawn on a canvas
+
+const UNITS = { deg: "deg", m: "m", kn: "kn", Pa: "Pa", s: "s" };
+
+// "/ice/thickness_m" reads "ice thickness, m".
+export function title(pointer) {
+  const parts = pointer.split("/").filter(Boolean);
+  const words = (parts[0] === "bow" ? parts.slice(1) : parts).join(" ").split("_");
+  const unit = words.length > 1 && UNITS[words.at(-1)];
+  return unit ? `${words.slice(0, -1).join(" ")}, ${unit}` : words.join(" ");
+}
+
+// Parameters of the study that differ among the designs, then measured angles that are no parameter.
+export function variables(designs) {
+  const pointers = [...new Set(designs.flatMap((d) => Object.keys(d.parameters)))];
+  const list = pointers.map((pointer) => ({ key: pointer, title: title(pointer), of: (d) => d.parameters[pointer] ?? null }));
+  for (const key of ["stem", "waterline", "buttock", "flare"])
+    if (!pointers.some((pointer) => pointer.endsWith(`/${key}_deg`)))
+      list.push({ key, title: `${key}, deg (measured)`, of: (d) => d.angles_deg[key] });
+  return list.filter(({ of, key }) => {
+    const values = designs.map(of).filter(isNumber);
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    // An angle read off a mesh has an error of hundredths of a degree: that is no variation.
+    return values.length > 1 && high - low > (key.startsWith("/") ? 1e-9 : 0.1);
+  });
+}

@@ -1,5 +1,5 @@
-// Measured mean load against Lindqvist's breaking part.
-import { axis, describe, draw, format, intervals, isNumber, look, measured, nice, palette, tooltip } from "./kit.js";
+// Mean load against Lindqvist's formula.
+import { axis, describe, draw, format, intervals, isNumber, look, MANY, measured, nice, palette, tooltip } from "./kit.js";
 
 // One range for both axes: the 1:1 line is the diagonal.
 function range(designs, scale) {
@@ -24,7 +24,7 @@ function sayCorrelation(data) {
 
 export function drawScatter(data, options) {
   const element = document.getElementById("chart-scatter");
-  const designs = measured(data).filter((design) => isNumber(design.lindqvist_N));
+  const designs = measured(data).filter((design) => isNumber(design.lindqvist_N) && isNumber(design.mean_N));
   if (!element || designs.length === 0) return;
   sayCorrelation(data);
   const p = palette(), unit = data.unit, scale = 1 / unit.newtons;
@@ -32,16 +32,16 @@ export function drawScatter(data, options) {
   draw(element, {
     grid: { left: 56, right: 28, top: 16, bottom: 52 },
     tooltip: tooltip(p, { trigger: "item", formatter: (item) => describe(designs[item.dataIndex], unit) }),
-    xAxis: axis(p, `Lindqvist, breaking part, ${unit.name}`, ends),
-    yAxis: axis(p, `Measured mean load, ${unit.name}`, { ...ends, nameGap: 38 }),
+    xAxis: axis(p, `Lindqvist, ${data.compared}, ${unit.name}`, ends),
+    yAxis: axis(p, `Mean load, ${unit.name}`, { ...ends, nameGap: 38 }),
     series: [
       { type: "line", silent: true, symbol: "none", data: [[ends.min, ends.min], [ends.max, ends.max]], lineStyle: { color: p.muted, type: [6, 5], width: 1.2 },
         endLabel: { show: true, formatter: "1 : 1", color: p.muted, fontSize: 12, offset: [-14, 30] } },
-      { ...intervals(p, designs.flatMap((d) => isNumber(d.ci95_N)
+      { ...intervals(p, designs.length > MANY ? [] : designs.flatMap((d) => isNumber(d.ci95_N)
         ? [[d.lindqvist_N * scale, (d.mean_N - d.ci95_N) * scale, (d.mean_N + d.ci95_N) * scale]] : [])), encode: { x: 0, y: [1, 2] } },
       { type: "scatter", z: 3, labelLayout: { hideOverlap: true },
         data: designs.map((d) => labelled(d, p, scale)),
-        label: { show: true, distance: 7, formatter: "{b}", color: p.ink, fontSize: 12, width: 130, overflow: "truncate", textBorderColor: p.paper, textBorderWidth: 3 } },
+        label: { show: designs.length <= 40, distance: 7, formatter: "{b}", color: p.ink, fontSize: 12, width: 130, overflow: "truncate", textBorderColor: p.paper, textBorderWidth: 3 } },
     ],
-  }, { ...options, height: options.paper ? 390 : Math.min(500, Math.max(340, 0.86 * element.clientWidth)) });
+  }, { ...options, height: options.paper ? 390 : Math.min(500, Math.max(340, 0.86 * element.clientWidth)), canvas: designs.length > MANY });
 }

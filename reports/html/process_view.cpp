@@ -1,28 +1,16 @@
-#include "reports/html/html_process.h"
+#include "reports/html/process_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/json_fields.h"
+#include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
-
-std::string row(const std::string& name, const std::vector<std::string>& values) {
-  std::string html = "<tr><th scope=\"row\">" + name + "</th>";
-  for (const std::string& value : values) html += "<td class=\"num\">" + value + "</td>";
-  return html + "</tr>";
-}
-
-std::string table(const std::string& caption, const std::vector<std::string>& columns,
-                  const std::string& rows) {
-  std::string html = "<table><caption>" + caption + "</caption><thead><tr><td></td>";
-  for (const std::string& column : columns) html += "<th scope=\"col\" class=\"num\">" + column + "</th>";
-  return html + "</tr></thead><tbody>" + rows + "</tbody></table>\n";
-}
 
 std::string percent(double share) {
   return std::isfinite(share) ? fixed(100.0 * share, 0) + "\u00a0%" : fixed(share, 0);
@@ -45,8 +33,8 @@ Listed listed_of(const Json& result, const std::string& kind) {
   return found;
 }
 
-std::string cracks_table(const Json& result, double lambda) {
-  std::string rows;
+Json cracks_table(const Json& result, double lambda) {
+  Json rows = Json::array();
   const std::pair<const char*, const char*> kinds[] = {{"radial", "Radial"},
                                                        {"circumferential", "Circumferential"},
                                                        {"splitting", "Splitting ahead"},
@@ -56,19 +44,19 @@ std::string cracks_table(const Json& result, double lambda) {
   for (const auto& [key, label] : kinds) {
     const Listed listed = listed_of(result, key);
     const double longest = listed.lengths.empty() ? std::nan("") : listed.lengths.back();
-    rows += row(label, {fixed(number_at(result, result_key::cracks(key)), 0), fixed(longest * lambda, 1),
-                        fixed(listed.first * lambda, 1)});
+    rows.push_back(row_view(label, {fixed(number_at(result, result_key::cracks(key)), 0),
+                                    fixed(longest * lambda, 1), fixed(listed.first * lambda, 1)}));
   }
-  return table("Cracks", {"number", "longest, m", "first at, m"}, rows);
+  return table_view("Cracks", {"number", "longest, m", "first at, m"}, rows);
 }
 
-std::string breaking_table(const Json& result, double lambda) {
+Json breaking_table(const Json& result, double lambda) {
   const double h = number_at(result, result_key::sheet_thickness),
                l = number_at(result, result_key::characteristic_length);
-  std::string rows;
+  Json rows = Json::array();
   const auto add = [&](const char* name, const char* pointer) {
     const double value = number_at(result, pointer);
-    rows += row(name, {fixed(value * lambda, 1), fixed(value / h, 1), fixed(value / l, 2)});
+    rows.push_back(row_view(name, {fixed(value * lambda, 1), fixed(value / h, 1), fixed(value / l, 2)}));
   };
   add("Breaking length, from the hull", result_key::breaking_length);
   add("Breaking length, along the course", result_key::breaking_length_along_course);
@@ -77,34 +65,37 @@ std::string breaking_table(const Json& result, double lambda) {
   add("Advance per load cycle", result_key::cycle_advance);
   add("Channel, mean width", result_key::channel_width);
   add("Channel, standard deviation", result_key::channel_width_std);
-  return table("Sizes", {"full scale, m", "over h", "over \u2113"}, rows);
+  return table_view("Sizes", {"full scale, m", "over h", "over \u2113"}, rows);
 }
 
-std::string load_table(const Json& result) {
+Json load_table(const Json& result) {
   const auto value = [&](const char* pointer, int decimals) {
     return fixed(number_at(result, pointer), decimals);
   };
   const bool clear = text_at(result, result_key::cycles) == "clear";
-  std::string rows = row("Cycles", {clear ? "clear" : "overlapping"});
-  rows += row("Autocorrelation at the period", {value(result_key::cycle_autocorrelation, 2)});
-  rows += row("Significant above", {value(result_key::cycle_significant_above, 2)});
-  rows += row("Peak / mean", {value(result_key::peak_over_mean, 1)});
-  rows += row("Standard deviation / mean", {value(result_key::std_over_mean, 2)});
-  rows += row("Time without contact", {percent(number_at(result, result_key::without_contact_share))});
-  return table("Load in time", {""}, rows);
+  Json rows = Json::array();
+  rows.push_back(row_view("Cycles", {clear ? "clear" : "overlapping"}));
+  rows.push_back(row_view("Autocorrelation at the period", {value(result_key::cycle_autocorrelation, 2)}));
+  rows.push_back(row_view("Significant above", {value(result_key::cycle_significant_above, 2)}));
+  rows.push_back(row_view("Peak / mean", {value(result_key::peak_over_mean, 1)}));
+  rows.push_back(row_view("Standard deviation / mean", {value(result_key::std_over_mean, 2)}));
+  rows.push_back(
+      row_view("Time without contact", {percent(number_at(result, result_key::without_contact_share))}));
+  return table_view("Load in time", {""}, rows);
 }
 
-std::string ice_table(const Json& result) {
-  std::string rows = row("Floes", {fixed(number_at(result, result_key::floes), 0)});
-  rows += row("of them as thick as the sheet",
-              {fixed(number_at(result, result_key::floes_through_thickness), 0)});
-  rows += row("Broken ice in floes", {percent(number_at(result, result_key::in_floes_share))});
-  rows += row("Broken ice that is dust", {percent(number_at(result, result_key::dust_share))});
-  return table("Pieces", {""}, rows);
+Json ice_table(const Json& result) {
+  Json rows = Json::array();
+  rows.push_back(row_view("Floes", {fixed(number_at(result, result_key::floes), 0)}));
+  rows.push_back(row_view("of them as thick as the sheet",
+                          {fixed(number_at(result, result_key::floes_through_thickness), 0)}));
+  rows.push_back(row_view("Broken ice in floes", {percent(number_at(result, result_key::in_floes_share))}));
+  rows.push_back(row_view("Broken ice that is dust", {percent(number_at(result, result_key::dust_share))}));
+  return table_view("Pieces", {""}, rows);
 }
 
-std::string energy_table(const Json& result) {
-  std::string rows;
+Json energy_table(const Json& result) {
+  Json rows = Json::array();
   const std::pair<const char*, const char*> parts[] = {{"contact_loss", "Friction and impact"},
                                                        {"fracture", "Fracture"},
                                                        {"water", "Motion of the water"},
@@ -117,19 +108,17 @@ std::string energy_table(const Json& result) {
                                                        {"unexplained", "Error of the balance"}};
   for (const auto& [key, label] : parts) {
     const double share = number_at(result, result_key::energy(key));
-    if (std::isfinite(share) && share != 0.0) rows += row(label, {percent(share)});
+    if (std::isfinite(share) && share != 0.0) rows.push_back(row_view(label, {percent(share)}));
   }
-  return rows.empty() ? rows : table("Where the hull's work went", {"share"}, rows);
+  return table_view("Where the hull's work went", {"share"}, rows);
 }
 
 }  // namespace
 
-std::string process_html(const Json& result, double lambda) {
-  if (!part_at(result, result_key::process).is_object()) return {};
-  return "<h4>How the ice broke <small>lengths at full scale; h thickness, \u2113 characteristic length of "
-         "the floating sheet</small></h4><div class=\"tables process\">" +
-         cracks_table(result, lambda) + breaking_table(result, lambda) + load_table(result) +
-         ice_table(result) + energy_table(result) + "</div>\n";
+Json process_view(const Json& result, double lambda) {
+  if (!part_at(result, result_key::process).is_object()) return nullptr;
+  return {{"tables", tables_view({cracks_table(result, lambda), breaking_table(result, lambda),
+                                  load_table(result), ice_table(result), energy_table(result)})}};
 }
 
 }  // namespace icebow
