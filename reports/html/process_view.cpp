@@ -59,6 +59,8 @@ Json breaking_table(const Json& result, double lambda) {
     rows.push_back(row_view(name, {fixed(value * lambda, 1), fixed(value / h, 1), fixed(value / l, 2)}));
   };
   add("Breaking length, from the hull", result_key::breaking_length);
+  add("Breaking length, half of it nearer than", result_key::breaking_length_median);
+  add("Breaking length, a tenth farther than", result_key::breaking_length_nine_tenths);
   add("Breaking length, along the course", result_key::breaking_length_along_course);
   add("Floes, mean length", result_key::floe_length);
   add("Floes, mean width", result_key::floe_width);

@@ -22,7 +22,7 @@ struct CrushingLaw {
   double dx = 0.0;         //!< [m]
 
   // Part of the spacing over which a particle's force rises and falls. With 3/4 the pressure on a wall of any
-  // slope ripples by 2 % (standard deviation) at most; with 1/4 by 25 %.
+  // slope ripples by 3 % (standard deviation) at most; with 1/4 by 25 %.
   static constexpr double ramp = 0.75;
 
   // The most that the particle bears at a depth [N].

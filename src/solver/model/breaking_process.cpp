@@ -47,12 +47,29 @@ EnergyShares energy_shares(const History& history) {
   return shares;
 }
 
+namespace {
+
+// The distance below which this part of the columns lies; cracks by rising distance.
+double quantile(const std::vector<const Crack*>& cracks, double part) {
+  double columns = 0.0, so_far = 0.0;
+  for (const Crack* crack : cracks) columns += crack->columns;
+  for (const Crack* crack : cracks) {
+    so_far += crack->columns;
+    if (so_far >= part * columns) return crack->from_hull;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 BreakingLength breaking_length(const std::vector<Crack>& cracks) {
   BreakingLength result;
   WeightedMean normal, along, square;
+  std::vector<const Crack*> by_distance;
   for (const Crack& crack : cracks) {
     if (crack.kind != CrackKind::circumferential) continue;
     ++result.cracks;
+    by_distance.push_back(&crack);
     normal.add(crack.from_hull, crack.columns);
     along.add(crack.along_course, crack.columns);
   }
@@ -63,6 +80,11 @@ BreakingLength breaking_length(const std::vector<Crack>& cracks) {
   result.normal = normal.value();
   result.along = along.value();
   result.deviation = std::sqrt(square.value());
+  std::stable_sort(by_distance.begin(), by_distance.end(),
+                   [](const Crack* a, const Crack* b) { return a->from_hull < b->from_hull; });
+  result.tenth = quantile(by_distance, 0.1);
+  result.median = quantile(by_distance, 0.5);
+  result.nine_tenths = quantile(by_distance, 0.9);
   return result;
 }
 

@@ -64,6 +64,9 @@ Json breaking_length_json(const BreakingLength& b, double characteristic) {
   return {{"cracks", b.cracks},
           {"normal_m", finite_or_null(b.normal)},
           {"normal_std_m", finite_or_null(b.deviation)},
+          {"normal_q10_m", finite_or_null(b.tenth)},
+          {"normal_median_m", finite_or_null(b.median)},
+          {"normal_q90_m", finite_or_null(b.nine_tenths)},
           {"along_course_m", finite_or_null(b.along)},
           {"normal_over_characteristic", finite_or_null(b.normal / characteristic)},
           {"along_course_over_characteristic", finite_or_null(b.along / characteristic)}};

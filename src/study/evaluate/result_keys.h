@@ -117,6 +117,8 @@ constexpr const char* sheet_thickness = "/process/thickness_m";
 constexpr const char* characteristic_length = "/process/characteristic_length_m";
 constexpr const char* crack_list = "/process/cracks/list";
 constexpr const char* breaking_length = "/process/breaking_length/normal_m";
+constexpr const char* breaking_length_median = "/process/breaking_length/normal_median_m";
+constexpr const char* breaking_length_nine_tenths = "/process/breaking_length/normal_q90_m";
 constexpr const char* breaking_length_along_course = "/process/breaking_length/along_course_m";
 constexpr const char* breaking_length_over_characteristic =
     "/process/breaking_length/normal_over_characteristic";
@@ -205,6 +207,8 @@ constexpr const char* of_every_run[] = {beam,
                                         characteristic_length,
                                         crack_list,
                                         breaking_length,
+                                        breaking_length_median,
+                                        breaking_length_nine_tenths,
                                         breaking_length_along_course,
                                         in_floes_share,
                                         dust_share,

@@ -74,6 +74,27 @@ TEST_CASE("a crack along the ray from the hull is radial, one across it circumfe
   CHECK(length.normal == Approx(second.from_hull));
 }
 
+TEST_CASE("the breaking length's distribution counts cracks by their columns") {
+  std::vector<Crack> cracks(4);
+  const double from_hull[4] = {3.0, 1.0, 8.0, 2.0};
+  const int columns[4] = {4, 10, 2, 4};
+  for (int n = 0; n < 4; ++n) {
+    cracks[n].kind = CrackKind::circumferential;
+    cracks[n].from_hull = from_hull[n];
+    cracks[n].columns = columns[n];
+  }
+  cracks.push_back(cracks[0]);
+  cracks.back().kind = CrackKind::radial;  // not counted
+  cracks.back().columns = 100;
+  const BreakingLength length = breaking_length(cracks);
+  CHECK(length.cracks == 4);
+  CHECK(length.normal == Approx(2.3));
+  CHECK(length.tenth == 1.0);
+  CHECK(length.median == 1.0);
+  CHECK(length.nine_tenths == 3.0);
+  CHECK(std::isnan(breaking_length({}).median));
+}
+
 TEST_CASE("beside the ship's flank the ray points sideways") {
   CrackedSheet sheet = made_up();
   // Parallel to the flank, 0.5 m off it, while the ship is 6 m in.
