@@ -31,12 +31,22 @@ void note_on_window(const Case& c, std::vector<std::string>& notes) {
                   " m: fresh ice is laid where the sheet bends, and is torn off; two lengths are safe");
 }
 
+// While the bow enters the ice, ever more of it breaks ice.
+void note_on_entering(const Case& c, std::vector<std::string>& notes) {
+  if (c.steady_from >= c.bow.Lf) return;
+  notes.push_back("operation.steady_from_m is " + brief(c.steady_from) + " m, less than the bow's length of " +
+                  brief(c.bow.Lf) +
+                  " m: the bow is still entering the ice, and the mean load is too low; count from " +
+                  brief(c.bow.Lf) + " m on, and sail that far again at the least");
+}
+
 }  // namespace
 
 std::vector<std::string> model_notes(const Case& c) {
   std::vector<std::string> notes;
   note_on_calibrated_ice(c, notes);
   note_on_window(c, notes);
+  note_on_entering(c, notes);
   return notes;
 }
 

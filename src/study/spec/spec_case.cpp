@@ -177,8 +177,8 @@ CycleSettings read_cycle(const Section& s, const Case& c) {
 // Lengths not given follow from the ship: see docs/study_file.md, "Defaults in terms of the ship".
 void read_operation_and_sheet(const Section& operation, const Section& sheet, Case& c) {
   c.V = operation.number("speed");
-  c.advance = given_or(operation, "advance", 2.75 * c.bow.B);
-  c.steady_from = given_or(operation, "steady_from", 0.2 * c.advance);
+  c.advance = given_or(operation, "advance", c.bow.Lf + 2.2 * c.bow.B);
+  c.steady_from = given_or(operation, "steady_from", std::min(c.bow.Lf, 0.5 * c.advance));
   c.stop_when_ci95_below = given_or(operation, "stop_when_ci95_below", 0.0);
   c.sheet.window_ahead = given_or(sheet, "window_ahead", 0.0);
   const double ahead = c.sheet.window_ahead > 0.0 ? c.sheet.window_ahead : c.advance;

@@ -84,8 +84,8 @@ const std::vector<Key> table = {
   {"sheet", "half_model", Quantity::boolean, 0, 0, false, none, "true where the ice is calibrated and the hull generated or mirrored, else false", "simulate the port half and take starboard for its mirror image, for half the work: both sides break at once, so the mean is as good, its scatter and peaks up to a third higher (docs/validation.md), and no load sways or turns the ship", {}},
 
   {"operation", "speed", Quantity::speed, 0.001, 20, true, none, "", "speed V of the ship, constant", {}},
-  {"operation", "advance", Quantity::length, 0.001, 20000, false, none, "2.75 B", "distance sailed from first touch to the end of the run", {}},
-  {"operation", "steady_from", Quantity::length, 0, 20000, false, none, "0.2 x advance", "metrics use the record from this advance on", {}},
+  {"operation", "advance", Quantity::length, 0.001, 20000, false, none, "bow length + 2.2 B", "distance sailed from first touch to the end of the run", {}},
+  {"operation", "steady_from", Quantity::length, 0, 20000, false, none, "the bow's length, at most half the advance", "metrics use the record from this advance on", {}},
   {"operation", "stop_when_ci95_below", Quantity::number, 0.01, 1, false, none, "the whole advance is run", "end the run once the half width of the mean load's 95 % interval is at most this part of the mean", {}},
 
   {"solver", "spacing", Quantity::length, 0.0001, 5, false, none, "thickness / layers", "lattice spacing; instead of layers", {}},

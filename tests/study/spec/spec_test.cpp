@@ -8,6 +8,7 @@
 #include "study/evaluate/evaluator_inputs.h"
 #include "study/plan/design_space.h"
 #include "study/spec/design_name.h"
+#include "study/spec/model_notes.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
@@ -71,10 +72,10 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(c.numerics.friction == 0.1);
   CHECK(c.water.rho == 1025);
   CHECK(c.water.buoyancy_and_gravity);
-  CHECK(c.advance == Approx(2.75 * 23));
-  CHECK(c.steady_from == Approx(0.55 * 23));
+  CHECK(c.advance == Approx(32.5 + 2.2 * 23));
+  CHECK(c.steady_from == Approx(32.5));
   CHECK(c.sheet.width == Approx(3.5 * 23));
-  CHECK(c.sheet.length == Approx(2.75 * 23 + 32.5 + 23));
+  CHECK(c.sheet.length == Approx(2.2 * 23 + 2 * 32.5 + 23));
   CHECK(c.sheet.half_model);
   CHECK(c.numerics.dx == Approx(1.0 / 3));
   CHECK(c.numerics.dt == 0);
@@ -82,6 +83,17 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(spec.rank_by == "mean_load");
   CHECK(spec.method.type == MethodType::list);
   CHECK(spec.include_baseline);
+}
+
+TEST_CASE("a load counted while the bow enters the ice is told") {
+  Case c;
+  c.bow.Lf = 38.0;
+  c.steady_from = 8.0;
+  const std::vector<std::string> notes = model_notes(c);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::StartsWith("operation.steady_from_m is 8 m") && Catch::Contains("from 38 m on"));
+  c.steady_from = 38.0;
+  CHECK(model_notes(c).empty());
 }
 
 TEST_CASE("the shipped study of every family is its preset") {
