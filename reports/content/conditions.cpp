@@ -135,7 +135,9 @@ void add_simulated(const StudyResults& study, Conditions& found) {
     add(facts, "Water", water_in_words(given->water));
     add(facts, "Sheet", sheet_in_words(given->sheet));
     add(facts, "Ice against ice",
-        given->numerics.floe_contact ? "pieces push each other" : "pieces pass through each other");
+        given->numerics.floe_contact
+            ? "pieces push each other, friction " + fixed(given->numerics.floe_friction, 2)
+            : "pieces pass through each other");
     add(facts, "Seeds of the ice", seeds_in_words(study, *given));
   }
   found.ice = "Simulated ice: " +

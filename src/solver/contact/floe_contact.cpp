@@ -14,6 +14,9 @@ constexpr double softness = 0.01;
 // the speed at which they meet, until the wave is back from their ends; less keeps a particle with several
 // contacts within the lattice's time step.
 constexpr double damping_share = 0.25;
+// Of that damping: what holds pieces that slide so slowly that they creep rather than slip. As small, for the
+// time step.
+constexpr double creep_share = 0.5;
 
 // How far the hull has moved a particle.
 Vec3 push_at(std::size_t p, const std::vector<HullStrike>& strikes) {
@@ -28,8 +31,12 @@ Vec3 FloeContactLaw::force(const Vec3& away, const Vec3& velocity) const {
   const double r = away.norm(), overlap = distance - r;
   if (overlap <= 0.0 || r == 0.0) return Vec3::Zero();
   const Vec3 n = away / r;
-  const double push = stiffness * overlap - damping * velocity.dot(n);
-  return -std::clamp(push, 0.0, strongest) * n;
+  const double approach = velocity.dot(n);
+  const double pressed = std::clamp(stiffness * overlap - damping * approach, 0.0, strongest);
+  const Vec3 sliding = velocity - approach * n;
+  const double speed = sliding.norm();
+  if (friction == 0.0 || speed == 0.0) return -pressed * n;
+  return -pressed * n + std::min(friction * pressed / speed, creep_share * damping) * sliding;
 }
 
 FloeContactLaw floe_contact_law(const Scenario& s, const Material& material) {
@@ -41,6 +48,7 @@ FloeContactLaw floe_contact_law(const Scenario& s, const Material& material) {
   // Ice whose crushing pressure is not known bears what its bonds do.
   const double pressure = s.ice.crushing_pressure > 0.0 ? s.ice.crushing_pressure : s.ice.E * material.s0;
   law.strongest = pressure * dx * dx;
+  law.friction = s.numerics.floe_friction;
   return law;
 }
 

@@ -26,6 +26,7 @@ struct FloeContactLaw {
   double stiffness = 0.0;  //!< [N/m]
   double damping = 0.0;    //!< [N s/m]
   double strongest = 0.0;  //!< the ice is crushed at this force [N]
+  double friction = 0.0;   // Coulomb coefficient
 
   // Force on the one from which the other lies `away` [m], the other moving at `velocity` relative to it
   // [m/s].

@@ -8,7 +8,7 @@
 //                                             in a text only where it is not the usual value, after all
 //                                             fields and in the order of the numbers: a text that is older
 //                                             than the option stays as it was. The next new option takes
-//                                             number 9.
+//                                             number 10.
 //   follows(name, value, exponent)            computed from other fields of a study's case
 //   ignored(name, value)                      no result depends on it
 // Each description names every member of its struct: a member that is added does not compile until it is
@@ -60,7 +60,7 @@ void describe_sheet(Visitor& visit, S& sheet) {
 template <class Visitor, class N>
 void describe_numerics(Visitor& visit, N& numerics) {
   auto& [dx, horizon_ratio, dt, dt_fraction, linear_below, surface_correction, precision, contact,
-         floe_contact, ranks_along_x, friction] = numerics;
+         floe_contact, floe_friction, ranks_along_x, friction] = numerics;
   visit.field("numerics.dx", dx, scaling::length);
   visit.field("numerics.horizon_ratio", horizon_ratio, 0.0);
   visit.field("numerics.dt", dt, scaling::time);
@@ -71,6 +71,7 @@ void describe_numerics(Visitor& visit, N& numerics) {
   visit.field("numerics.contact", contact, 0.0);
   visit.field("numerics.friction", friction, 0.0);
   visit.option(7, "numerics.floe_contact", floe_contact, false, 0.0);
+  visit.option(9, "numerics.floe_friction", floe_friction, 0.0, 0.0);
   visit.ignored("numerics.ranks_along_x", ranks_along_x);
 }
 

@@ -69,9 +69,10 @@ struct Numerics {
   bool surface_correction = true;
   Precision precision = Precision::fp32;
   ContactRule contact = ContactRule::relocation;
-  bool floe_contact = false;  // pieces of ice push back what they meet
-  int ranks_along_x = 0;      // MPI ranks along the ship's course; 0 = the smallest halo decides
-  double friction = 0.0;      //!< hull-ice Coulomb coefficient
+  bool floe_contact = false;   // pieces of ice push back what they meet
+  double floe_friction = 0.0;  //!< Coulomb coefficient between pieces of ice; with floe_contact
+  int ranks_along_x = 0;       // MPI ranks along the ship's course; 0 = the smallest halo decides
+  double friction = 0.0;       //!< hull-ice Coulomb coefficient
 };
 
 struct Scenario {

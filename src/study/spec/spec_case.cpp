@@ -203,7 +203,12 @@ void read_numerics(const Section& s, double thickness, Numerics& numerics) {
 constexpr double usual_added_mass = 4.0;  // thicknesses: floes 6 to 10 thicknesses wide
 constexpr double usual_drag = 1.2;        // of a square plate across the flow
 
-void read_surroundings(const Section& water, const Section& solver, const Section& sheet, Case& c) {
+// Of ice on ice: the middle of what was measured in the field on natural surfaces, 0.48 where they slide for
+// the first time and 0.05 once they are polished, at any speed (Sukhorukov and Loset 2013).
+constexpr double usual_friction_between_pieces = 0.3;
+
+void read_surroundings(const Section& ice, const Section& water, const Section& solver, const Section& sheet,
+                       Case& c) {
   const bool calibrated = c.ice_model == IceModel::calibrated, afloat = water.boolean("buoyancy_and_gravity"),
              with_water = calibrated && afloat;
   c.water = {water.number("density"), afloat,
@@ -211,6 +216,9 @@ void read_surroundings(const Section& water, const Section& solver, const Sectio
              given_or(water, "added_mass", with_water ? usual_added_mass * c.ice.h : 0.0),
              given_or(water, "drag", with_water ? usual_drag : 0.0)};
   c.numerics.floe_contact = solver.has("floe_contact") ? solver.boolean("floe_contact") : calibrated;
+  c.numerics.floe_friction =
+      given_or(ice, "friction_between_pieces",
+               calibrated && c.numerics.floe_contact ? usual_friction_between_pieces : 0.0);
   // A hull of the user's own need not be its own mirror image.
   const bool symmetric = !c.own.given() || c.own.mirror;
   c.sheet.half_model = sheet.has("half_model") ? sheet.boolean("half_model") : calibrated && symmetric;
@@ -258,6 +266,12 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
                  "is " + metres(c.sheet.length) + ", but the ship advances " + metres(c.advance) +
                      ": it would sail out of the ice; lengthen the sheet or shorten /operation/advance_m"});
   }
+  if (c.numerics.floe_friction > 0.0 && !c.numerics.floe_contact) {
+    m.push_back(
+        {s.ice.pointer("friction_between_pieces"),
+         "is " + brief(c.numerics.floe_friction) +
+             ", but pieces pass through each other; give /solver/floe_contact true, or leave it out"});
+  }
   if (c.steady_from >= c.advance) {
     m.push_back({s.operation.pointer("steady_from"),
                  "is " + metres(c.steady_from) + ", not less than the advance of " + metres(c.advance) +
@@ -300,7 +314,7 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   read_ice(s.ice, c);
   read_operation_and_sheet(s.operation, s.sheet, c);
   read_numerics(s.solver, c.ice.h, c.numerics);
-  read_surroundings(s.water, s.solver, s.sheet, c);
+  read_surroundings(s.ice, s.water, s.solver, s.sheet, c);
   read_contact(s.solver, s.ice, c);
   c.seed = seed_of(s.solver);
   c.cycle = read_cycle(s.cycle, c);

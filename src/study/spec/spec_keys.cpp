@@ -69,6 +69,7 @@ const std::vector<Key> table = {
   {"ice", "fracture_toughness", Quantity::toughness, 10, 1e9, false, 7.5e6, "7.5 MPa sqrt(m) full scale", "model paper: toughness from which the simulation takes its critical stretch; instead of critical_stretch", {}},
   {"ice", "critical_stretch", Quantity::number, 1e-6, 0.5, false, none, "from the toughness", "model paper: stretch at which a bond breaks; instead of fracture_toughness", {}},
   {"ice", "friction", Quantity::number, 0, 1, false, 0.1, "0.1", "Coulomb friction coefficient between hull and ice", {}},
+  {"ice", "friction_between_pieces", Quantity::number, 0, 1, false, none, "0.3 where the ice is calibrated and its pieces push each other, else 0", "Coulomb friction coefficient of ice on ice; with solver.floe_contact", {}},
 
   {"water", "density", Quantity::density, 900, 1100, false, 1025, "1025 kg/m3", "density of the water", {}},
   {"water", "buoyancy_and_gravity", Quantity::boolean, 0, 0, false, 1, "true", "the sheet floats; false: it is held by its fixed edges alone, as in the paper", {}},

@@ -296,6 +296,58 @@ TEST_CASE("moving ice against other ice is the hull's work, and taken from the i
 
 namespace {
 
+// What other ice does to two floes of which one slides along the other's face at this speed, pressed by an
+// overlap of a fiftieth of a spacing.
+struct Sliding {
+  Vec3 left = Vec3::Zero(), right = Vec3::Zero();  //!< forces [N]
+  double taken = 0.0;                              //!< in a step [J]
+};
+
+Sliding slide(double friction, double speed) {
+  Scenario s = two_floes();
+  s.numerics.floe_friction = friction;
+  Afloat floes(s, step_s);
+  IceSheet& sheet = floes.ice.sheet;
+  cut_apart(sheet);
+  floes.ice.for_each([&](int i, int, int, std::size_t p) {
+    sheet.u[0][p] = i < block ? 0.0 : -0.02 * s.numerics.dx;
+    sheet.v[1][p] = i < block ? 0.0 : speed;
+  });
+  floes.ice.accelerate();
+  std::vector<Vec3> bonds(sheet.layout.size, Vec3::Zero());
+  floes.ice.for_each([&](int, int, int, std::size_t p) { bonds[p] = floes.ice.acceleration(p); });
+  floes.forces.apply(sheet, 0, {});
+  const double mass = s.ice.rho * std::pow(s.numerics.dx, 3);
+  Sliding found;
+  found.taken = double(floes.forces.counts().floes) * floes.model.quantum;
+  floes.ice.for_each([&](int i, int, int, std::size_t p) {
+    (i < block ? found.left : found.right) += mass * (floes.ice.acceleration(p) - bonds[p]);
+  });
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "pieces that slide along each other are held by Coulomb's friction, and creep where they are slow") {
+  if (test_world().size() > 1) return;
+  const Sliding fast = slide(0.3, 0.2), smooth = slide(0.0, 0.2);
+  CHECK(std::abs(smooth.left.y()) < 1e-3 * std::abs(smooth.left.x()));
+  CHECK(fast.left.x() == Approx(smooth.left.x()).epsilon(1e-4));       // single precision
+  CHECK(fast.left.y() == Approx(-0.3 * fast.left.x()).epsilon(1e-3));  // dragged along
+  CHECK((fast.left + fast.right).norm() < 1e-3 * fast.left.norm());
+  CHECK(slide(0.3, 0.4).left.y() == Approx(fast.left.y()).epsilon(1e-3));
+  // Friction takes its force times the way; within the step it slows what it holds by some per cent.
+  CHECK(fast.taken - smooth.taken == Approx(fast.left.y() * 0.2 * step_s).epsilon(0.1));
+  // So slow that they creep: in proportion to the speed.
+  const double creep = slide(0.3, 1e-3).left.y();
+  CHECK(creep > 0.0);
+  CHECK(creep < 0.1 * fast.left.y());
+  CHECK(slide(0.3, 2e-3).left.y() == Approx(2.0 * creep).epsilon(1e-2));
+}
+
+namespace {
+
 // Weak ice that breaks into floes in water, in a window that moves.
 Scenario everything() {
   Scenario s = tiny_run(1.28, 0.42);
@@ -311,6 +363,7 @@ Scenario everything() {
   s.water.drag = 1.2;
   s.sheet.absorbing = 0.15;
   s.numerics.floe_contact = true;
+  s.numerics.floe_friction = 0.3;
   return s;
 }
 

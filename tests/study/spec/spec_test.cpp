@@ -66,6 +66,7 @@ TEST_CASE("a minimal study has documented defaults in SI, radians, full scale") 
   CHECK(c.ice.E == 1.3e9);
   CHECK(c.ice_model == IceModel::calibrated);
   CHECK(c.numerics.floe_contact);
+  CHECK(c.numerics.floe_friction == 0.3);
   CHECK(c.water.added_mass == 4.0 * c.ice.h);
   CHECK(c.water.drag == 1.2);
   CHECK(c.ice.s0 == 0);
@@ -91,7 +92,8 @@ TEST_CASE("a load counted while the bow enters the ice is told") {
   c.steady_from = 8.0;
   const std::vector<std::string> notes = model_notes(c);
   REQUIRE(notes.size() == 1);
-  CHECK_THAT(notes[0], Catch::StartsWith("operation.steady_from_m is 8 m") && Catch::Contains("from 38 m on"));
+  CHECK_THAT(notes[0],
+             Catch::StartsWith("operation.steady_from_m is 8 m") && Catch::Contains("from 38 m on"));
   c.steady_from = 38.0;
   CHECK(model_notes(c).empty());
 }
@@ -269,6 +271,8 @@ TEST_CASE("values that contradict each other are found at the scale of the file"
   CHECK(mistakes_of(with(R"({"sheet": {"scale": "model", "width_m": 0.93}})")).empty());
   CHECK(only_mistake(with(R"({"solver": {"spacing_cm": 101}})")).pointer == "/solver/spacing_cm");
   CHECK(mistakes_of(with(R"({"ice": {"model": "paper"}, "solver": {"spacing_cm": 100}})")).empty());
+  CHECK(only_mistake(with(R"({"ice": {"friction_between_pieces": 0.2}, "solver": {"floe_contact": false}})"))
+            .pointer == "/ice/friction_between_pieces");
   CHECK(only_mistake(with(R"({"operation": {"advance_m": 40, "steady_from_m": 40}})")).pointer ==
         "/operation/steady_from_m");
 }
