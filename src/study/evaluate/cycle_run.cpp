@@ -274,6 +274,60 @@ CycleOutcome run_cycle(const Case& c, const QuadMesh& hull, const cycle::Breakin
   return outcome;
 }
 
+namespace {
+
+constexpr int short_voyages = 12;  // t is 2.2
+
+// Mean resistance between two advances [N].
+double mean_between(const VoyageResult& v, double from, double to) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Record& r : v.records) {
+    if (r.advance <= from || r.advance > to) continue;
+    sum -= r.force.x();
+    ++n;
+  }
+  return n > 0 ? sum / n : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Mean part of the hull's length that has ice under it. A window has none beyond its end.
+double covered(const Case& c) {
+  const double astern = c.sheet.window_ahead > 0.0 ? c.sheet.length - c.sheet.window_ahead : c.bow.L,
+               longest = std::min(astern, c.bow.L);
+  constexpr int parts = 100;
+  double sum = 0.0;
+  for (int n = 0; n < parts; ++n) {
+    const double advance = c.steady_from + (n + 0.5) / parts * (c.advance - c.steady_from);
+    sum += std::min(advance, longest) / c.bow.L / parts;
+  }
+  return sum;
+}
+
+}  // namespace
+
+SameWay run_same_way(const Case& c, const QuadMesh& hull, const cycle::BreakingRule& rule,
+                     double under_hull) {
+  const double under = under_hull * covered(c);
+  std::vector<double> means;
+  for (int n = 0; n < short_voyages; ++n) {
+    cycle::Voyage voyage = cycle_voyage(c);
+    voyage.seed = c.cycle.seed + static_cast<std::uint64_t>(n);
+    voyage.length = c.advance;  // and the bow's length: longer than the way
+    means.push_back(under +
+                    mean_between(cycle::sail(hull, cycle_ice(c), rule, voyage), c.steady_from, c.advance));
+  }
+  SameWay way{c.steady_from, c.advance, 0.0, interval_of_repeats(means)};
+  for (double mean : means) way.mean += mean / short_voyages;
+  return way;
+}
+
+Json same_way_json(const SameWay& way) {
+  return {{"from_m", number(way.from)},
+          {"to_m", number(way.to)},
+          {"mean_load_N", number(way.mean)},
+          {"ci95_N", number(way.ci95)}};
+}
+
 Json cycle_metrics_json(const CycleOutcome& outcome) {
   Json json = metrics_json(outcome.run, 1.0);
   for (const char* of_bonds : {"broken_bonds", "bonds", "mean_damage"}) json[of_bonds] = nullptr;

@@ -38,6 +38,17 @@ cycle::Voyage cycle_voyage(const Case& c);
 // voyage.
 CycleOutcome run_cycle(const Case& c, const QuadMesh& hull, const cycle::BreakingRule& rule);
 
+// The cycle's load over the way that a simulation of the same case counts, from the first touch of the ice
+// on: of it the bow may enter the ice, and ice may lie under a part of the hull alone.
+struct SameWay {
+  double from = 0.0, to = 0.0;    //!< of the ship's advance [m]
+  double mean = 0.0, ci95 = 0.0;  //!< of voyages with seeds of their own, Student's t [N]
+};
+
+// Of a case whose run_cycle() has a load, which has `under_hull` [N] below a hull in the ice as a whole.
+SameWay run_same_way(const Case& c, const QuadMesh& hull, const cycle::BreakingRule& rule, double under_hull);
+Json same_way_json(const SameWay& way);
+
 // "metrics" as those of a simulation, at full scale.
 Json cycle_metrics_json(const CycleOutcome& outcome);
 

@@ -124,6 +124,9 @@ Ending run_voyages(Work& work) {
   work.result["cycle"]["metrics"] = metrics;
   work.result["cycle"]["process"] = process;
   const bool finest = !work.design.asked.peridynamics;
+  if (!finest)
+    work.result["cycle"]["same_way"] =
+        same_way_json(run_same_way(work.given(), work.hull.mesh, rule, outcome.submersion + outcome.water));
   if (finest) work.result["metrics"] = metrics, work.result["process"] = process;
   if (!work.writes()) return {};
   act_on_root(work.comm, [&] {

@@ -19,14 +19,24 @@ struct Point {
   double log_ratio, variance;  // of its own, from both intervals
 };
 
+// What the simulation of a design is compared with.
+struct ByCycle {
+  double load, ci95;
+};
+
+ByCycle beside(const Fidelities& d) {
+  return std::isfinite(d.beside) ? ByCycle{d.beside, d.beside_ci95} : ByCycle{d.cycle, d.cycle_ci95};
+}
+
 std::vector<Point> points_of(const std::vector<Fidelities>& designs) {
   std::vector<Point> points;
   for (const Fidelities& d : designs) {
-    if (!(d.solver > 0.0) || !(d.cycle > 0.0)) continue;
+    const ByCycle cycle = beside(d);
+    if (!(d.solver > 0.0) || !(cycle.load > 0.0)) continue;
     const double a = std::isfinite(d.solver_ci95) ? d.solver_ci95 / d.solver : 1.0,
-                 b = d.cycle_ci95 / d.cycle;
+                 b = cycle.ci95 / cycle.load;
     points.push_back(
-        {d.parameters, std::log(d.solver / d.cycle), (a * a + b * b) / (normal_975 * normal_975)});
+        {d.parameters, std::log(d.solver / cycle.load), (a * a + b * b) / (normal_975 * normal_975)});
   }
   return points;
 }
@@ -192,7 +202,8 @@ std::vector<std::string> disagreements(const RatioFit& fit, const std::vector<Fi
                     std::to_string(fit.designs) + " designs");
   for (const Fidelities& d : designs) {
     if (!std::isfinite(d.solver) || !std::isfinite(d.solver_ci95)) continue;
-    const double corrected = d.cycle * fit.ratio(d.parameters), own = d.cycle_ci95 / d.cycle * corrected;
+    const ByCycle cycle = beside(d);
+    const double corrected = cycle.load * fit.ratio(d.parameters), own = cycle.ci95 / cycle.load * corrected;
     if (std::abs(d.solver - corrected) <= std::hypot(d.solver_ci95, own)) continue;
     words.push_back("simulation and breaking cycle disagree on " + d.design + ": " + decimal(d.solver / 1e6) +
                     " \u00b1 " + decimal(d.solver_ci95 / 1e6) + " MN simulated, " + decimal(corrected / 1e6) +

@@ -22,6 +22,8 @@ struct Fidelities {
   std::map<std::string, double> parameters;
   double cycle = 0.0, cycle_ci95 = 0.0;
   double solver = std::numeric_limits<double>::quiet_NaN(), solver_ci95 = solver;  // where it was simulated
+  // By the cycle over the way that the simulation counted, which `solver` is compared with; NaN: `cycle` is.
+  double beside = std::numeric_limits<double>::quiet_NaN(), beside_ci95 = beside;
 };
 
 // Which designs are simulated: the `best` of lowest load, and of the others `spread` far from all chosen in

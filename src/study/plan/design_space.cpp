@@ -121,7 +121,7 @@ Design baseline_of(const StudySpec& spec) {
 
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
-  if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline);
+  if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline, spec.confirm.given());
   const Json own = document_of_one(spec);
   if (spec.include_baseline)
     plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(baseline_of(spec)));
@@ -158,7 +158,7 @@ std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& d
 
 std::vector<PlannedDesign> confirmations(const StudySpec& spec, const Design& design) {
   Json document = design.document;
-  document["evaluators"] = {"peridynamics"};
+  document["evaluators"] = {"cycle", "peridynamics"};  // the cycle over the way that the simulation counts
   return runs_of(spec, planned(spec, confirmation_name(design.name), std::move(document)));
 }
 

@@ -83,6 +83,8 @@ RankedDesign described(const std::vector<Evaluation>& runs, const std::string& r
   if (rank_by == "mean_load_per_beam") row.value = row.mean_load / beam(result);
   row.cycle_load = number_at(result, result_key::cycle_load);
   row.cycle_ci95 = number_at(result, result_key::cycle_load_ci95);
+  row.same_way_load = number_at(result, result_key::cycle_same_way_load);
+  row.same_way_ci95 = number_at(result, result_key::cycle_same_way_ci95);
   row.lindqvist_breaking = lindqvist_breaking(result);
   row.whole_load = is_whole_load(result);
   row.lindqvist = row.whole_load ? number_at(result, result_key::lindqvist_total) : row.lindqvist_breaking;
@@ -210,6 +212,7 @@ Fidelities fidelities(const RankedDesign& row) {
   f.design = row.evaluation.name, f.parameters = row.evaluation.parameters;
   f.cycle = row.cycle_load, f.cycle_ci95 = row.cycle_ci95;
   f.solver = row.solver_load, f.solver_ci95 = row.solver_ci95;
+  f.beside = row.same_way_load, f.beside_ci95 = row.same_way_ci95;
   return f;
 }
 
@@ -227,6 +230,7 @@ void take_confirmations(Ranking& ranking) {
     const auto found = simulated.find(row.evaluation.name);
     if (found == simulated.end() || found->second.evaluation.status != EvaluationStatus::ok) continue;
     row.solver_load = found->second.mean_load, row.solver_ci95 = found->second.mean_load_ci95;
+    row.same_way_load = found->second.same_way_load, row.same_way_ci95 = found->second.same_way_ci95;
     row.runs = found->second.runs;
   }
 }

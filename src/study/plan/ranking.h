@@ -31,6 +31,8 @@ struct RankedDesign {
   double difference_ci95 =
       std::numeric_limits<double>::quiet_NaN();  // where corrected: by which ties are told
   double solver_load = std::numeric_limits<double>::quiet_NaN(), solver_ci95 = solver_load;
+  // By the cycle over the way that the simulation counted [N]; NaN: not known.
+  double same_way_load = std::numeric_limits<double>::quiet_NaN(), same_way_ci95 = same_way_load;
   double lindqvist_breaking = std::numeric_limits<double>::quiet_NaN();  //!< [N]
   // What the mean load is compared with: Lindqvist's total where the simulated load is a whole one (ice with
   // weight and lift), his breaking part where it is of breaking alone or nothing was simulated [N]

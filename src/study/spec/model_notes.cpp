@@ -42,11 +42,11 @@ void note_on_entering(const Case& c, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> model_notes(const Case& c) {
+std::vector<std::string> model_notes(const Case& c, bool confirms) {
   std::vector<std::string> notes;
   note_on_calibrated_ice(c, notes);
   note_on_window(c, notes);
-  note_on_entering(c, notes);
+  if (!confirms) note_on_entering(c, notes);
   return notes;
 }
 

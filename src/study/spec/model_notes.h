@@ -10,6 +10,7 @@ namespace icebow {
 
 // Notes on the study file's own values, in the words of docs/validation.md; empty where nothing is known.
 // Designs that change them are not looked at.
-std::vector<std::string> model_notes(const Case& c);
+// `confirms`: the simulation is compared with the cycle over the same way, so it may be short.
+std::vector<std::string> model_notes(const Case& c, bool confirms = false);
 
 }  // namespace icebow

@@ -5,8 +5,10 @@
 #include <sstream>
 
 #include "formula/lindqvist.h"
+#include "study/evaluate/cycle_run.h"
 #include "study/evaluate/evaluator_inputs.h"
 #include "study/evaluate/result_keys.h"
+#include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
 #include "tests/support/fake_study.h"
 #include "tests/support/main.h"
@@ -187,4 +189,26 @@ TEST_CASE("a hull that does not reach the ice is a failed design with one senten
       evaluated(R"({"evaluators": ["cycle"], "ice": {"thickness_m": 10}, "bow": {"draft_m": 5}})");
   CHECK(e.status == EvaluationStatus::failed);
   CHECK(e.reason.find("the hull does not go through the ice") == 0);
+}
+
+TEST_CASE(
+    "the cycle over a simulation's way: less while the bow enters, and under a part of the hull alone") {
+  if (test_world().size() > 1) return;
+  Case c = fake_study(R"({"evaluators": ["cycle"]})").baseline;
+  const QuadMesh hull = make_hull(c).mesh;
+  cycle::BreakingRule rule = c.cycle.rule;
+  const auto over = [&](double from, double to, double under_hull) {
+    c.steady_from = from, c.advance = to;
+    return run_same_way(c, hull, rule, under_hull);
+  };
+  const double whole = run_cycle(c, hull, rule).mean, under = 0.2e6;
+  const SameWay entering = over(2.0, 15.0, under), late = over(60.0, 200.0, under);
+  INFO("whole voyage " << whole << " N, entering " << entering.mean << " +- " << entering.ci95 << ", later "
+                       << late.mean << " +- " << late.ci95);
+  CHECK(entering.mean + entering.ci95 < 0.6 * late.mean);
+  CHECK(late.ci95 < 0.2 * late.mean);
+  // What the hull bears under itself: on 2 to 15 m the ice has reached 8.5 of 147.2 m of it in the mean.
+  CHECK(over(2.0, 15.0, 2.0 * under).mean - entering.mean == Approx(under * 8.5 / 147.2));
+  c.sheet.window_ahead = 20.0, c.sheet.length = 56.0;  // 36 m of ice astern of the stem at most
+  CHECK(over(60.0, 200.0, 2.0 * under).mean - over(60.0, 200.0, under).mean == Approx(under * 36.0 / 147.2));
 }

@@ -79,6 +79,23 @@ TEST_CASE("a slope is taken where designs left out are met better by it, and onl
   CHECK(without.variable.empty());
 }
 
+TEST_CASE("a simulation is compared with the cycle over the same way") {
+  // Both entered the ice while they were counted: half of the load of the whole voyage, by either.
+  Fidelities a = design("a", 20, 100, 49), b = design("b", 24, 120, 61);
+  a.beside = 50, a.beside_ci95 = 1, b.beside = 60, b.beside_ci95 = 1;
+  const RatioFit fit = fit_ratio({a, b});
+  CHECK(std::exp(fit.constant) == Approx(std::sqrt(49.0 / 50.0 * 61.0 / 60.0)));
+  CHECK(disagreements(fit, {a, b}).empty());
+
+  Evaluation solved = by_solver("a@solver", 20, 45);
+  solved.result["cycle"] = {
+      {"mean_load_N", 100}, {"mean_load_ci95_N", 1}, {"same_way", {{"mean_load_N", 50}, {"ci95_N", 1}}}};
+  const Ranking ranking = rank_designs({by_cycle("a", 20, 100), by_cycle("b", 24, 120), solved}, "mean_load");
+  REQUIRE(ranking.rows.size() == 2);
+  CHECK(ranking.rows[0].mean_load == Approx(90.0));  // of the whole voyage, times 45/50
+  CHECK(ranking.rows[1].mean_load == Approx(108.0));
+}
+
 TEST_CASE("one confirmed design gives a ratio and no interval") {
   const RatioFit fit = fit_ratio({design("a", 20, 100, 50), design("b", 22, 90)});
   CHECK(fit.ratio({}) == Approx(0.5));
@@ -145,5 +162,5 @@ TEST_CASE("a study that confirms sweeps without the simulation, and simulates wh
   CHECK(runs[0].design.name == "baseline@solver");
   CHECK(runs[1].design.name == "baseline@solver#2");
   CHECK(runs[0].design.asked.peridynamics);
-  CHECK_FALSE(runs[0].design.asked.cycle);
+  CHECK(runs[0].design.asked.cycle);  // over the way of the simulation
 }

@@ -94,6 +94,7 @@ TEST_CASE("a load counted while the bow enters the ice is told") {
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0],
              Catch::StartsWith("operation.steady_from_m is 8 m") && Catch::Contains("from 38 m on"));
+  CHECK(model_notes(c, true).empty());  // compared over the same way
   c.steady_from = 38.0;
   CHECK(model_notes(c).empty());
 }
