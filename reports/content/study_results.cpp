@@ -1,11 +1,13 @@
 #include "reports/content/study_results.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
@@ -120,6 +122,11 @@ StudyResults read_study_results(const std::string& directory) {
   add_runs(study, evaluations);
   add_plan(study, evaluations);
   return study;
+}
+
+double measured_or_requested(const Json& result, const std::string& angle) {
+  const double measured = number_at(result, result_key::measured_deg(angle));
+  return std::isfinite(measured) ? measured : number_at(result, result_key::requested_deg(angle));
 }
 
 }  // namespace icebow

@@ -36,4 +36,7 @@ struct StudyResults {
 // Throws InputError where the directory holds no study (no results.sqlite).
 StudyResults read_study_results(const std::string& directory);
 
+// [deg]; `angle` is "stem", "waterline", "buttock" or "flare".
+double measured_or_requested(const Json& result, const std::string& angle);
+
 }  // namespace icebow

@@ -23,10 +23,9 @@ std::string counted(std::size_t n, const std::string& noun) {
 std::string angles_in_words(const RankedDesign& row, const Ranking& ranking) {
   std::vector<std::string> words;
   for (const char* angle : {"stem", "waterline", "buttock", "flare"}) {
-    const std::string pointer = result_key::measured_deg(angle);
-    const double own = number_at(row.evaluation.result, pointer);
+    const double own = measured_or_requested(row.evaluation.result, angle);
     const bool varies = std::any_of(ranking.rows.begin(), ranking.rows.end(), [&](const RankedDesign& other) {
-      return other.rank > 0 && std::fabs(number_at(other.evaluation.result, pointer) - own) > 0.1;
+      return other.rank > 0 && std::fabs(measured_or_requested(other.evaluation.result, angle) - own) > 0.1;
     });
     if (varies && std::isfinite(own)) words.push_back(std::string(angle) + " " + fixed(own, 1) + "\u00b0");
   }

@@ -314,7 +314,7 @@ Json card_body_view(const ReportContent& content, std::size_t i) {
           {"no_lines_plan", design.drawings_left_out
                                 ? "The lines plan is in the design's directory; it was left out to keep "
                                   "this file small."
-                                : "No lines plan was written for this design."},
+                                : "No lines plan was written for this design; icebow hull draws one."},
           {"imported", imported_note(result)},
           {"cautions", cautions(result)},
           {"tables",

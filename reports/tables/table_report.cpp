@@ -96,11 +96,6 @@ std::string markdown_provenance(const StudyResults& study) {
 
 }  // namespace
 
-double measured_or_requested(const Json& result, const std::string& angle) {
-  const double measured = number_at(result, result_key::measured_deg(angle));
-  return std::isfinite(measured) ? measured : number_at(result, result_key::requested_deg(angle));
-}
-
 std::string ranking_csv(const StudyResults& study) {
   const std::set<std::string> parameters = parameter_names(study.ranking);
   std::string text =

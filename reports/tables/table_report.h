@@ -13,9 +13,6 @@ namespace icebow {
 std::string ranking_csv(const StudyResults& study);
 std::string ranking_markdown(const StudyResults& study);
 
-// [deg]; `angle` is "stem", "waterline", "buttock" or "flare".
-double measured_or_requested(const Json& result, const std::string& angle);
-
 // Writes study_directory/ranking.csv and study_directory/ranking.md. Throws InputError where the directory
 // holds no study.
 void write_table_reports(const std::string& study_directory);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 
 #include "base/collective.h"
@@ -73,14 +74,31 @@ void write_hull(Work& work) {
   work.result["files"]["lines_plan"] = "lines.svg";
 }
 
+// The formula takes angles and dimensions: the margins judge a bow without its mesh. A hull of the user's own
+// has no margins; only its deformed mesh says whether it folds.
+Hull unmeshed(const Case& c) {
+  if (c.own.given()) return make_hull(c);
+  Hull hull;
+  hull.requested = c.bow.angles;
+  hull.feasibility = check_feasibility(c);
+  hull.reason = hull.feasibility.reason;
+  hull.status = hull.feasibility.feasible ? HullStatus::ok : HullStatus::infeasible;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  hull.measured = {none, none, none, none};
+  hull.waterline_at_quarter_beam = std::atan(std::tan(c.bow.angles.flare) * std::tan(c.bow.angles.buttock));
+  hull.flare_at_stem = std::atan(std::tan(c.bow.angles.waterline) / std::tan(c.bow.angles.stem));
+  return hull;
+}
+
 Ending measure_hull(Work& work) {
   const Case& c = work.given();
-  work.hull = make_hull(c);
+  const bool meshed = !work.design.asked.formula_alone();
+  work.hull = meshed ? make_hull(c) : unmeshed(c);
   work.result["ship"] = {{"L_m", c.bow.L}, {"B_m", c.bow.B}, {"T_m", c.bow.T}};
   work.result["hull"] = hull_json(work.hull);
   if (c.own.given()) work.result["hull"]["imported"] = imported_json(c.own);
   if (work.hull.status != HullStatus::ok) return {EvaluationStatus::infeasible, work.hull.reason};
-  if (work.writes()) act_on_root(work.comm, [&] { write_hull(work); });
+  if (meshed && work.writes()) act_on_root(work.comm, [&] { write_hull(work); });
   return {};
 }
 

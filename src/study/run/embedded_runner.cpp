@@ -68,7 +68,9 @@ class EmbeddedRunner : public Runner {
     if (queue_.empty()) return {};
     const Design design = queue_.back();
     queue_.pop_back();
-    const std::string directory = design_directory(context_.settings.directory, design.name);
+    const std::string directory = design.asked.formula_alone()
+                                      ? std::string()
+                                      : design_directory(context_.settings.directory, design.name);
     tell(comm_, {{"evaluate", to_json(design)}, {"directory", directory}});
     return {evaluated(design, directory)};
   }

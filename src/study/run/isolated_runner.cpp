@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <thread>
 
 #include "base/errors.h"
@@ -19,7 +20,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds moment(100);
-constexpr milliseconds grace(10000);  // mpirun wants about 3 s to clear its ranks
+constexpr std::size_t formulas_at_once = 256;  // a fraction of a second, and one commit of the store
+constexpr milliseconds grace(10000);           // mpirun wants about 3 s to clear its ranks
 
 // One design under way.
 struct Job {
@@ -77,8 +79,12 @@ class IsolatedRunner : public Runner {
   explicit IsolatedRunner(const RunnerContext& context)
       : context_(context), at_once_(static_cast<std::size_t>(jobs_at_once(context))) {}
 
-  bool has_room() const override { return jobs_.size() + quick_.size() + done_.size() < at_once_; }
-  bool busy() const override { return !jobs_.empty() || !quick_.empty() || !done_.empty(); }
+  bool has_room() const override {
+    return jobs_.size() + quick_.size() + done_.size() < at_once_ && formulas_.size() < formulas_at_once;
+  }
+  bool busy() const override {
+    return !jobs_.empty() || !quick_.empty() || !done_.empty() || !formulas_.empty();
+  }
   void start(const PlannedDesign& planned) override;
   std::vector<Evaluation> wait() override;
   void stop() override;
@@ -88,6 +94,7 @@ class IsolatedRunner : public Runner {
   bool is_quick(const Design& design) const;
   Evaluation evaluated_here(const Design& design, const std::string& directory) const;
   void take_quick(std::vector<Evaluation>& ended);
+  void take_formulas(std::vector<Evaluation>& ended);
   std::vector<std::string> command(const Job& job) const;
   void launch(Job& job) const;
   bool launched_again(Job& job) const;
@@ -99,6 +106,7 @@ class IsolatedRunner : public Runner {
   std::size_t at_once_;
   std::vector<Job> jobs_;
   std::vector<std::future<Evaluation>> quick_;  // designs without a simulation, in threads of this process
+  std::vector<Design> formulas_;                // of the formula alone: evaluated by wait(), many at a time
   std::vector<Evaluation> done_;
 };
 
@@ -125,8 +133,28 @@ void IsolatedRunner::take_quick(std::vector<Evaluation>& ended) {
   }
 }
 
+// In as many threads as designs run at once; each takes every n-th design.
+void IsolatedRunner::take_formulas(std::vector<Evaluation>& ended) {
+  const std::size_t threads = std::min(at_once_, formulas_.size());
+  std::vector<Evaluation> results(formulas_.size());
+  std::vector<std::future<void>> shares;
+  for (std::size_t first = 0; first < threads; ++first)
+    shares.push_back(std::async(std::launch::async, [this, &results, first, threads] {
+      for (std::size_t i = first; i < formulas_.size(); i += threads)
+        results[i] = evaluated_here(formulas_[i], "");
+    }));
+  for (const std::future<void>& share : shares) share.wait();
+  for (std::future<void>& share : shares) share.get();
+  std::move(results.begin(), results.end(), std::back_inserter(ended));
+  formulas_.clear();
+}
+
 // An impossible bow needs no process: evaluate() says so before there is a mesh, let alone a simulation.
 void IsolatedRunner::start(const PlannedDesign& planned) {
+  if (planned.design.asked.formula_alone()) {
+    formulas_.push_back(planned.design);
+    return;
+  }
   Job job;
   job.design = planned.design;
   job.directory = design_directory(context_.settings.directory, planned.design.name);
@@ -197,7 +225,7 @@ void IsolatedRunner::listen(Job& job) {
 std::vector<Evaluation> IsolatedRunner::wait() {
   std::vector<const ChildProcess*> children;
   for (const Job& job : jobs_) children.push_back(job.child.get());
-  const bool nothing_yet = done_.empty();
+  const bool nothing_yet = done_.empty() && formulas_.empty();
   if (nothing_yet && !quick_.empty() && jobs_.empty()) {
     quick_.front().wait_for(moment);
   } else if (nothing_yet) {
@@ -206,6 +234,7 @@ std::vector<Evaluation> IsolatedRunner::wait() {
   std::vector<Evaluation> ended = std::move(done_);
   done_.clear();
   take_quick(ended);
+  take_formulas(ended);
   const double limit = context_.spec.execution.time_limit_s;
   for (auto job = jobs_.begin(); job != jobs_.end();) {
     const bool running = job->child->running();
@@ -232,6 +261,7 @@ void IsolatedRunner::stop() {
   while (any_running()) std::this_thread::sleep_for(milliseconds(20));
   for (std::future<Evaluation>& quick : quick_) quick.wait();
   quick_.clear();
+  formulas_.clear();
   jobs_.clear();
   done_.clear();
 }

@@ -45,7 +45,9 @@ class StudyLoop {
   bool recall(const PlannedDesign& planned);
   bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
   void start(const PlannedDesign& planned);
-  void finish(Evaluation evaluation);
+  void finish(std::vector<Evaluation> ended);
+  void keep(Evaluation& evaluation);
+  void told(const Evaluation& evaluation);
   void report(const Evaluation& evaluation, bool recalled);
   void abandon();
   void sum_up();
@@ -57,7 +59,7 @@ class StudyLoop {
   Runner& runner_;
   StudyObserver& observer_;
   std::map<std::string, PlannedDesign> under_way_;  // by name
-  std::map<std::string, Design> designs_;           // by key: as they were planned
+  std::map<std::string, Design> designs_;           // by key: as they were planned, where some are confirmed
   std::map<std::string, double> values_;            // by key: what this study has seen
   std::vector<PlannedDesign> proposed_;             // the runs of the point proposed last
   std::vector<double> proposed_at_;
@@ -171,14 +173,15 @@ std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) {
 // For each proposed design: take the stored evaluation of its key, or evaluate and store.
 void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
   auto next = designs.begin();
-  for (const PlannedDesign& planned : designs) designs_[planned.key] = planned.design;
+  if (spec_.confirm.given())
+    for (const PlannedDesign& planned : designs) designs_[planned.key] = planned.design;
   while (next != designs.end() || runner_.busy()) {
     if (stopped()) throw Interrupted();
     while (next != designs.end() && runner_.has_room()) {
       if (!recall(*next)) start(*next);
       ++next;
     }
-    for (Evaluation& evaluation : runner_.wait()) finish(std::move(evaluation));
+    finish(runner_.wait());
   }
 }
 
@@ -191,7 +194,7 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
     Evaluation rejected;
     rejected.name = planned.design.name;
     rejected.reason = planned.design.mistake;
-    finish(rejected);
+    finish({rejected});
     return true;
   }
   std::optional<Evaluation> stored = store_.find(planned.key);
@@ -212,7 +215,7 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   if (stored->status == EvaluationStatus::damaged) return recall_damaged(planned, *stored);
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
-  complete_result(*stored, settings_.directory);
+  complete_result(*stored, settings_.directory, !planned.design.asked.formula_alone());
   if (to_json(*stored) != to_json(*store_.find(planned.key))) store_.put(*stored);
   report(*stored, true);
   return true;
@@ -229,7 +232,14 @@ bool StudyLoop::recall_damaged(const PlannedDesign& planned, const Evaluation& s
   return true;
 }
 
+// A design of the formula alone is over in a millisecond: it has no mark and no files.
 void StudyLoop::start(const PlannedDesign& planned) {
+  if (planned.design.asked.formula_alone()) {
+    under_way_[planned.design.name] = planned;
+    observer_.on_started(planned.design);
+    runner_.start(planned);
+    return;
+  }
   Evaluation mark;
   mark.key = planned.key;
   mark.name = planned.design.name;
@@ -245,14 +255,32 @@ void StudyLoop::start(const PlannedDesign& planned) {
   runner_.start(planned);
 }
 
-void StudyLoop::finish(Evaluation evaluation) {
-  const PlannedDesign planned = under_way_.at(evaluation.name);
-  if (evaluation.status == EvaluationStatus::running) throw Interrupted();
+// What ended together is stored by one commit; a checkpoint goes when its result is safe.
+void StudyLoop::finish(std::vector<Evaluation> ended) {
+  const auto interrupted = std::stable_partition(
+      ended.begin(), ended.end(), [](const Evaluation& e) { return e.status != EvaluationStatus::running; });
+  const bool stop = interrupted != ended.end();
+  ended.erase(interrupted, ended.end());
+  if (ended.size() == 1) keep(ended.front());
+  if (ended.size() > 1)
+    store_.together([&] {
+      for (Evaluation& evaluation : ended) keep(evaluation);
+    });
+  for (const Evaluation& evaluation : ended) told(evaluation);
+  if (stop) throw Interrupted();
+}
+
+void StudyLoop::keep(Evaluation& evaluation) {
+  const PlannedDesign& planned = under_way_.at(evaluation.name);
   evaluation.key = planned.key;
   evaluation.parameters = planned.design.parameters;
-  complete_result(evaluation, settings_.directory);
+  complete_result(evaluation, settings_.directory, !planned.design.asked.formula_alone());
   store_.put(evaluation);
-  remove_checkpoint_in(design_directory(settings_.directory, evaluation.name));
+}
+
+void StudyLoop::told(const Evaluation& evaluation) {
+  if (!under_way_.at(evaluation.name).design.asked.formula_alone())
+    remove_checkpoint_in(design_directory(settings_.directory, evaluation.name));
   if (evaluation.result.contains("notes") && evaluation.result.at("notes").is_array())
     for (const Json& note : evaluation.result.at("notes"))
       outcome_.notes.push_back(evaluation.name + ": " + note.get<std::string>());

@@ -93,7 +93,7 @@ Json to_json(const Crashes& crashes) {
   return {{"crashes", crashes.count}, {"last_crash", crashes.last}};
 }
 
-void complete_result(Evaluation& e, const std::string& study_directory) {
+void complete_result(Evaluation& e, const std::string& study_directory, bool has_files) {
   if (!e.result.is_object()) e.result = Json::object();
   const Json before = e.result;
   e.result["design"] = e.name;
@@ -101,7 +101,8 @@ void complete_result(Evaluation& e, const std::string& study_directory) {
   e.result["reason"] = e.reason;
   e.result["parameters"] = parameters_json(e.parameters);
   const fs::path file = fs::path(design_directory(study_directory, e.name)) / "result.json";
-  if (e.result == before && fs::exists(file)) return;
+  const bool there = fs::exists(file);
+  if (there ? e.result == before : !has_files) return;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   write_text_file(file.string(), json_text(e.result, 2) + "\n");

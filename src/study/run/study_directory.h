@@ -28,7 +28,8 @@ struct Crashes {
 Crashes crashes_of(const Evaluation& running, const std::string& study_directory);
 Json to_json(const Crashes& crashes);  // for the row of a running design
 
-// Makes the parts of a result that repeat the evaluation agree with it, in result.json too.
-void complete_result(Evaluation& evaluation, const std::string& study_directory);
+// Makes the parts of a result that repeat the evaluation agree with it, in result.json too. A design without
+// files gets none, but a result.json that is there is kept true.
+void complete_result(Evaluation& evaluation, const std::string& study_directory, bool has_files);
 
 }  // namespace icebow

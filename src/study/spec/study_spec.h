@@ -56,6 +56,8 @@ struct Case {
 // Who evaluates a design.
 struct Evaluators {
   bool lindqvist = true, peridynamics = true, cycle = false;
+
+  bool formula_alone() const { return lindqvist && !peridynamics && !cycle; }
 };
 
 enum class MethodType { list, grid, latin_hypercube, optimise };

@@ -288,6 +288,17 @@ void Store::put(const Evaluation& e) {
               json_text(e.result), "", e.wall_seconds});
 }
 
+void Store::together(const std::function<void()>& work) {
+  impl_->database.execute("BEGIN IMMEDIATE");
+  try {
+    work();
+  } catch (...) {
+    impl_->database.try_at_once("COMMIT");
+    throw;
+  }
+  impl_->database.execute("COMMIT");
+}
+
 void Store::remove(const std::string& key) {
   Statement(impl_->database, "DELETE FROM evaluations WHERE key = ?").bind(key).run();
 }

@@ -8,6 +8,7 @@
 // finds its results. begin_study() says which of them belong to the study as it stands now.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,9 @@ class Store {
   std::optional<Evaluation> find(const std::string& key) const;
   std::optional<Evaluation> find_name(const std::string& name) const;
   void put(const Evaluation& evaluation);  // inserts or replaces by key
+  // What `work` puts and removes becomes safe together, at its end: one commit instead of many. Where `work`
+  // throws, what it had done until then is kept.
+  void together(const std::function<void()>& work);
   void remove(const std::string& key);
   void remove_damaged();  // the rows; their designs are then as if they had never been evaluated
 

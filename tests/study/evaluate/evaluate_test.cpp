@@ -95,6 +95,10 @@ TEST_CASE("formula alone: no simulation, still a result") {
   CHECK(e.status == EvaluationStatus::ok);
   CHECK(e.result.at("simulation").is_null());
   CHECK(e.result.at("lindqvist").at("valid") == true);
+  CHECK(e.result.at("hull").at("feasible") == true);
+  CHECK(e.result.at("hull").at("requested_deg").at("stem").is_number());
+  CHECK(e.result.at("hull").at("mesh").is_null());  // nothing is measured where there is no mesh
+  CHECK(e.result.at("hull").at("measured_deg").at("stem").is_null());
 }
 
 TEST_CASE("what cannot be simulated is a failed design that says why") {

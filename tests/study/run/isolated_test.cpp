@@ -74,6 +74,30 @@ TEST_CASE("a hang ends with the time limit") {
   CHECK_THAT(of(observer, "hang").reason, Catch::Contains("time limit of 1 s"));
 }
 
+TEST_CASE("designs of the formula alone start no process, write no file and are recalled") {
+  const TemporaryDirectory directory;
+  RunSettings settings = isolated(directory / "s");
+  settings.program = "/no/such/program";
+  settings.evaluate = nullptr;  // the real one
+  settings.margins = nullptr;
+  const StudySpec spec = fake_study(R"({"evaluators": ["lindqvist"], "ranking": {"by": "lindqvist_breaking"},
+      "include_baseline": false, "method": {"type": "grid", "variables": {
+        "/operation/speed_kn": {"min": 1, "max": 6, "levels": 30},
+        "/bow/bow_length_m": {"min": 10, "max": 33, "levels": 20}}}})");
+  RecordingObserver first, second;
+  const StudyOutcome outcome = run_study(Communicator::serial(), spec, settings, first);
+  CHECK(outcome.ok + outcome.infeasible == 600);
+  CHECK(outcome.infeasible > 0);  // a bow of 10 m does not fit these angles
+  CHECK(outcome.failed == 0);
+  CHECK(std::filesystem::is_empty(directory / "s/designs"));
+  CHECK(run_study(Communicator::serial(), spec, settings, second).recalled == 600);
+  REQUIRE(first.finished.size() == 600);
+  // Threads return their designs in the order they were planned: the store's order is the same on any
+  // machine.
+  CHECK(first.finished.front().name == "d001");
+  CHECK(first.finished.back().name == "d600");
+}
+
 TEST_CASE("an impossible bow starts no process") {
   const TemporaryDirectory directory;
   RunSettings settings = isolated(directory / "s");
