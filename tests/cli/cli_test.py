@@ -99,7 +99,8 @@ class Check(ProgramTest):
 
     def test_what_is_known_of_a_model_is_said(self):
         plain = self.expect(0, "check", TINY).stdout
-        self.assertNotIn("note:", plain)
+        self.assertIn("the bow is still entering the ice", plain)
+        self.assertEqual(plain.count("note:"), 1)
         notes = self.expect(0, "check", TINY, "--set", "/ice/model=calibrated", "--set", "/solver/floe_contact=false").stdout
         self.assertIn("solver.floe_contact", notes)
         self.assertIn("solver.layers 3 or more", notes)

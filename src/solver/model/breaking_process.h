@@ -103,8 +103,8 @@ struct BreakingLength {
   double normal = std::numeric_limits<double>::quiet_NaN();     //!< to the waterline's nearest place [m]
   double along = std::numeric_limits<double>::quiet_NaN();      //!< along the course [m]
   double deviation = std::numeric_limits<double>::quiet_NaN();  //!< of the first, between cracks [m]
-  // Of the first: a tenth, half, nine tenths of the columns lie in cracks nearer than this [m]. The mean mixes
-  // cusps with the few long cracks far ahead.
+  // Of the first: a tenth, half, nine tenths of the columns lie in cracks nearer than this [m]. The mean
+  // mixes cusps with the few long cracks far ahead.
   double tenth = std::numeric_limits<double>::quiet_NaN();
   double median = std::numeric_limits<double>::quiet_NaN();
   double nine_tenths = std::numeric_limits<double>::quiet_NaN();

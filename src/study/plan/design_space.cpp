@@ -121,7 +121,8 @@ Design baseline_of(const StudySpec& spec) {
 
 StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
-  if (spec.use_peridynamics || spec.confirm.given()) plan.plan.notes = model_notes(spec.baseline, spec.confirm.given());
+  if (spec.use_peridynamics || spec.confirm.given())
+    plan.plan.notes = model_notes(spec.baseline, spec.confirm.given());
   const Json own = document_of_one(spec);
   if (spec.include_baseline)
     plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(baseline_of(spec)));

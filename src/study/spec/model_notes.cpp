@@ -34,8 +34,8 @@ void note_on_window(const Case& c, std::vector<std::string>& notes) {
 // While the bow enters the ice, ever more of it breaks ice.
 void note_on_entering(const Case& c, std::vector<std::string>& notes) {
   if (c.steady_from >= c.bow.Lf) return;
-  notes.push_back("operation.steady_from_m is " + brief(c.steady_from) + " m, less than the bow's length of " +
-                  brief(c.bow.Lf) +
+  notes.push_back("operation.steady_from_m is " + brief(c.steady_from) +
+                  " m, less than the bow's length of " + brief(c.bow.Lf) +
                   " m: the bow is still entering the ice, and the mean load is too low; count from " +
                   brief(c.bow.Lf) + " m on, and sail that far again at the least");
 }
