@@ -21,7 +21,8 @@ void refuse_link(const fs::path& path) {
 }
 
 // The directory first, then the row: a kill in between leaves a move that is completed by doing it again.
-void move_design(Store& store, const std::string& study_directory, Evaluation e, const std::string& name) {
+Evaluation move_design(Store& store, const std::string& study_directory, Evaluation e,
+                       const std::string& name) {
   const fs::path from = design_directory(study_directory, e.name),
                  to = design_directory(study_directory, name);
   refuse_link(from);
@@ -35,6 +36,7 @@ void move_design(Store& store, const std::string& study_directory, Evaluation e,
   const fs::path file = to / "result.json";
   if (fs::exists(file)) write_text_file(file.string(), json_text(e.result, 2) + "\n");
   store.put(e);
+  return e;
 }
 
 std::string set_aside(const Evaluation& e) {
@@ -57,18 +59,20 @@ std::string design_directory(const std::string& study_directory, const std::stri
   return (fs::path(study_directory) / "designs" / name).string();
 }
 
-void settle_name(Store& store, const std::string& study_directory, const std::string& name,
-                 const std::string& key) {
+std::optional<Evaluation> settle_name(Store& store, const std::string& study_directory,
+                                      const std::string& name, const std::string& key) {
   try {
     const auto holder = store.find_name(name);
-    if (holder && holder->key != key && holder->status == EvaluationStatus::damaged) {
+    if (holder && holder->key == key) return holder;
+    if (holder && holder->status == EvaluationStatus::damaged) {
       store.remove(holder->key);
-    } else if (holder && holder->key != key) {
+    } else if (holder) {
       move_design(store, study_directory, *holder, set_aside(*holder));
     }
     const auto stored = store.find(key);
     if (stored && stored->name != name && stored->status != EvaluationStatus::damaged)
-      move_design(store, study_directory, *stored, name);
+      return move_design(store, study_directory, *stored, name);
+    return stored;
   } catch (const fs::filesystem_error& error) {
     throw RuntimeError(error.what());
   }

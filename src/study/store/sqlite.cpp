@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "base/errors.h"
@@ -11,9 +12,9 @@
 namespace icebow {
 namespace {
 
-constexpr int wait_for_others_ms =
-    20000;                             // a reader of a rollback journal holds the writer up for moments only
+constexpr double usual_wait = 20.0;    //!< [s] a reader of a rollback journal holds the writer up for moments
 constexpr int reader_waits_ms = 2000;  // the writer holds readers of one up for moments, too
+constexpr std::chrono::milliseconds moment(20);
 
 std::string what_to_do(int code) {
   switch (code & 0xff) {
@@ -60,18 +61,37 @@ Database::Database(std::string path, int flags) : path_(std::move(path)) {
       throw;
     }
   }
-  sqlite3_busy_timeout(handle_, wait_for_others_ms);
+  be_patient();
 }
 
 Database::Database(Database&& other) noexcept
-    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+    : path_(std::move(other.path_)),
+      handle_(std::exchange(other.handle_, nullptr)),
+      patience_(std::move(other.patience_)) {}
 
 Database::~Database() {
   sqlite3_close(handle_);
 }
 
-Database Database::open(const std::string& path) {
-  return Database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+// SQLite's handler of a lock that somebody else holds. `tries` starts from 0 for each lock.
+int Database::wait(void* patience, int tries) {
+  Patience& p = *static_cast<Patience*>(patience);
+  const auto now = std::chrono::steady_clock::now();
+  if (tries == 0) p.since = now;
+  const double seconds = std::chrono::duration<double>(now - p.since).count();
+  if (p.waiting ? !p.waiting(seconds) : seconds > usual_wait) return 0;
+  std::this_thread::sleep_for(moment);
+  return 1;
+}
+
+void Database::be_patient() {
+  sqlite3_busy_handler(handle_, wait, patience_.get());
+}
+
+Database Database::open(const std::string& path, Waiting waiting) {
+  Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.patience_->waiting = std::move(waiting);
+  return database;
 }
 
 Database Database::open_read_only(const std::string& path) {
@@ -95,7 +115,7 @@ void Database::execute(const std::string& sql) {
 void Database::try_at_once(const std::string& sql) noexcept {
   sqlite3_busy_timeout(handle_, 0);
   sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
-  sqlite3_busy_timeout(handle_, wait_for_others_ms);
+  be_patient();
 }
 
 std::string Database::text_of(const std::string& sql) const {

@@ -1,7 +1,10 @@
 // SQLite with destructors and exceptions. Included by store.cpp only.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 
 struct sqlite3;
@@ -9,10 +12,14 @@ struct sqlite3_stmt;
 
 namespace icebow {
 
+// Asked again and again, some fifty times a second, while another program holds the file locked, with the
+// seconds that it has been waited for; false gives up. Must not throw.
+using Waiting = std::function<bool(double seconds)>;
+
 class Database {
  public:
-  // Both throw RuntimeError naming the file.
-  static Database open(const std::string& path);
+  // Both throw RuntimeError naming the file. Without `waiting` the writer gives up after 20 s.
+  static Database open(const std::string& path, Waiting waiting = {});
   static Database open_read_only(const std::string& path);  // does not wait long where it is locked
   Database(Database&& other) noexcept;
   ~Database();
@@ -26,9 +33,16 @@ class Database {
   const std::string& path() const { return path_; }
 
  private:
+  struct Patience {
+    Waiting waiting;
+    std::chrono::steady_clock::time_point since;
+  };
+  static int wait(void* patience, int tries);
   Database(std::string path, int flags);
+  void be_patient();
   std::string path_;
   sqlite3* handle_ = nullptr;
+  std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();
 };
 
 // One prepared statement: bind in order, step through the rows, read by column number.

@@ -34,6 +34,10 @@ constexpr const char* schema = R"sql(
   CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL, digest TEXT);
 )sql";
 
+// One look-up by name for each design of a study. An earlier version of the program minds it as little as it
+// needs it.
+constexpr const char* add_index = "CREATE INDEX IF NOT EXISTS evaluations_by_name ON evaluations (name)";
+
 constexpr const char* add_digests = R"sql(
   ALTER TABLE evaluations ADD COLUMN digest TEXT;
   ALTER TABLE study ADD COLUMN digest TEXT;
@@ -250,9 +254,9 @@ Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Store::Store(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Store Store::open(const std::string& path, Journal journal) {
+Store Store::open(const std::string& path, Journal journal, Waiting waiting) {
   auto lock = std::make_unique<StoreLock>(path + ".lock");
-  Database database = Database::open(path);
+  Database database = Database::open(path, std::move(waiting));
   const bool blank = is_blank(database);
   if (!blank) {
     check_is_store(database, path);  // before anything is written to a file of somebody else
@@ -260,6 +264,7 @@ Store Store::open(const std::string& path, Journal journal) {
   }
   choose_journal(database, path, journal);
   if (blank) create(database);
+  database.execute(add_index);
   const bool migrates = !has_digests(database);
   std::unique_ptr<Impl> impl(new Impl{std::move(lock), std::move(database)});
   if (migrates) impl->migrate();

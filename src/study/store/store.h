@@ -25,10 +25,14 @@ enum class Journal {
 
 class Store {
  public:
+  // Asked some fifty times a second while a program that is not icebow holds the file locked, with the
+  // seconds that it has been waited for; false gives up. Must not throw.
+  using Waiting = std::function<bool(double seconds)>;
+
   // Creates the file where there is none, and holds `path`.lock until it is closed: a second writer is
   // refused. A store of an earlier version is brought to this one. Throws RuntimeError naming the file
-  // (locked, full, not a store, its pages damaged).
-  static Store open(const std::string& path, Journal journal = Journal::automatic);
+  // (locked, full, not a store, its pages damaged). Without `waiting`, 20 s are waited for others.
+  static Store open(const std::string& path, Journal journal = Journal::automatic, Waiting waiting = {});
   // For readers, at any time, while a run writes too. Throws likewise.
   static Store open_read_only(const std::string& path);
   Store(Store&&) noexcept;

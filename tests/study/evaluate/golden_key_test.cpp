@@ -1,5 +1,6 @@
-// Keys that stored results are found by. The golden file was written by the program of result version 7; a
-// key may change only where the case means something else, and then every stored result of it is lost.
+// Keys that stored results are found by. The golden file was written by the program of result version 7, that
+// of the formula alone since its key holds what the formula reads; a key may change only where the case means
+// something else, and then every stored result of it is lost.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <functional>

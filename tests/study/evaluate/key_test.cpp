@@ -100,3 +100,43 @@ TEST_CASE("a design is read once, and its mistake is its own") {
   const Design there = design_from_json(Json::parse(to_json(good).dump()));
   CHECK(evaluation_key(there.given.value(), there.asked) == evaluation_key(*good.given, good.asked));
 }
+
+TEST_CASE("a key holds only what its evaluators read") {
+  const Case base = fake_study().baseline;
+  const Evaluators formula{true, false, false}, cycle{true, false, true}, both{true, true, false};
+  const std::vector<std::function<void(Case&)>> of_the_simulation = {
+      [](Case& c) { c.seed = 7; },           [](Case& c) { c.numerics.dx *= 2.0; },
+      [](Case& c) { c.sheet.width *= 2.0; }, [](Case& c) { c.advance *= 2.0; },
+      [](Case& c) { c.pictures = 9; },       [](Case& c) { c.lambda = 10.0; },
+      [](Case& c) { c.water.drag = 1.0; },   [](Case& c) { c.ice.K_I *= 2.0; }};
+  for (const auto& change : of_the_simulation) {
+    Case c = base;
+    change(c);
+    CHECK(evaluation_key(c, formula) == evaluation_key(base, formula));
+    CHECK(evaluation_key(c, cycle) == evaluation_key(base, cycle));
+    CHECK(evaluation_key(c, both) != evaluation_key(base, both));
+    c.cycle.rule.type = cycle::Breaking::calibrated;  // by patch tests of the lattice
+    Case calibrated = base;
+    calibrated.cycle.rule.type = cycle::Breaking::calibrated;
+    CHECK(evaluation_key(c, cycle) != evaluation_key(calibrated, cycle));
+  }
+  // Everything of lindqvist_inputs().
+  const std::vector<std::function<void(Case&)>> of_the_formula = {[](Case& c) { c.bow.L *= 1.1; },
+                                                                  [](Case& c) { c.bow.B *= 1.1; },
+                                                                  [](Case& c) { c.bow.T *= 1.1; },
+                                                                  [](Case& c) { c.bow.angles.stem *= 1.1; },
+                                                                  [](Case& c) { c.bow.angles.flare *= 1.1; },
+                                                                  [](Case& c) { c.ice.h *= 1.1; },
+                                                                  [](Case& c) { c.V *= 1.1; },
+                                                                  [](Case& c) { c.flexural_strength *= 1.1; },
+                                                                  [](Case& c) { c.ice.E *= 1.1; },
+                                                                  [](Case& c) { c.ice.nu *= 1.1; },
+                                                                  [](Case& c) { c.numerics.friction *= 1.1; },
+                                                                  [](Case& c) { c.water.rho *= 1.1; },
+                                                                  [](Case& c) { c.ice.rho *= 1.1; }};
+  for (const auto& change : of_the_formula) {
+    Case c = base;
+    change(c);
+    CHECK(evaluation_key(c, formula) != evaluation_key(base, formula));
+  }
+}

@@ -315,3 +315,49 @@ TEST_CASE("a reader does not wait long for a store that somebody holds locked") 
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(8));  // 2 s, on a busy machine more
   sqlite3_close(holder);
 }
+
+TEST_CASE("a store that another program locks is waited for as long as the caller is patient") {
+  for (const Journal journal : {Journal::automatic, Journal::rollback}) {
+    const TemporaryDirectory directory;
+    double waited = 0.0, patience = 10.0;
+    Store store = Store::open(directory / "r.sqlite", journal, [&](double seconds) {
+      waited = seconds;
+      return seconds < patience;
+    });
+    sqlite3* other = nullptr;
+    REQUIRE(sqlite3_open((directory / "r.sqlite").c_str(), &other) == SQLITE_OK);
+    REQUIRE(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr) == SQLITE_OK);
+    std::thread releases([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      sqlite3_exec(other, "COMMIT", nullptr, nullptr, nullptr);
+    });
+    store.put(sample("a"));
+    releases.join();
+    CHECK(waited > 0.1);
+    CHECK(store.find("a"));
+    REQUIRE(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr) == SQLITE_OK);
+    patience = 0.1;
+    CHECK_THROWS_WITH(store.put(sample("b")), Catch::Contains("another program holds it locked"));
+    sqlite3_close(other);
+  }
+}
+
+TEST_CASE("a name is looked up by an index, in stores of earlier programs too") {
+  const TemporaryDirectory directory;
+  Store::open(directory / "r.sqlite").put(sample("a"));
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open((directory / "r.sqlite").c_str(), &database) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(database, "DROP INDEX evaluations_by_name", nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(database);
+  { const Store again = Store::open(directory / "r.sqlite"); }
+  REQUIRE(sqlite3_open((directory / "r.sqlite").c_str(), &database) == SQLITE_OK);
+  sqlite3_stmt* plan = nullptr;
+  REQUIRE(sqlite3_prepare_v2(database,
+                             "EXPLAIN QUERY PLAN SELECT id FROM evaluations e WHERE e.name = ? ORDER BY e.id",
+                             -1, &plan, nullptr) == SQLITE_OK);
+  REQUIRE(sqlite3_step(plan) == SQLITE_ROW);
+  CHECK_THAT(reinterpret_cast<const char*>(sqlite3_column_text(plan, 3)),
+             Catch::Contains("USING") && Catch::Contains("evaluations_by_name"));
+  sqlite3_finalize(plan);
+  sqlite3_close(database);
+}
