@@ -1,5 +1,7 @@
 #include "base/json.h"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "base/errors.h"
@@ -99,11 +101,26 @@ class Checker : public nlohmann::json_sax<Json> {
     mistakes.push_back(
         {to_string(place_of(text_, at)),
          overflow ? "number " + shortened(token, 80) + " does not fit a double (largest about 1.8e308)"
-                  : shortened(without_prefix(error.what()), 300)});
+                  : shortened(without_prefix(error.what()), 300) + decimal_comma(at)});
     return false;
   }
 
  private:
+  // Where the text breaks behind a comma between digits, a number was probably written with it.
+  std::string decimal_comma(std::size_t at) const {
+    const auto digit = [&](std::size_t k) {
+      return k < text_.size() && std::isdigit(static_cast<unsigned char>(text_[k]));
+    };
+    std::size_t comma = std::min(at, text_.size());
+    while (comma > 0 && text_[comma - 1] != ',' && text_[comma - 1] != '\n') --comma;
+    if (comma-- < 2 || text_[comma] != ',' || !digit(comma - 1) || !digit(comma + 1)) return "";
+    std::size_t begin = comma, end = comma + 1;
+    while (begin > 0 && digit(begin - 1)) --begin;
+    while (digit(end)) ++end;
+    return "; a decimal point is wanted: " + shortened(text_.substr(begin, comma - begin), 20) + "." +
+           shortened(text_.substr(comma + 1, end - comma - 1), 20);
+  }
+
   struct Level {
     std::set<std::string> keys;
   };

@@ -12,8 +12,11 @@ std::size_t unprintable(const std::string& text, std::size_t k) {
   const unsigned char a = byte(text, k), b = byte(text, k + 1), c = byte(text, k + 2);
   if ((a < ' ' && a != '\n' && a != '\t') || a == 0x7f) return 1;
   if (a == 0xc2 && b >= 0x80 && b <= 0x9f) return 2;  // U+0080 to U+009F
-  const bool direction = (b == 0x80 && c >= 0xaa && c <= 0xae) || (b == 0x81 && c >= 0xa6 && c <= 0xa9);
-  return a == 0xe2 && direction ? 3 : 0;  // U+202A to 202E, 2066 to 2069
+  if (a == 0xd8 && b == 0x9c) return 2;               // U+061C
+  // U+200E, 200F, 202A to 202E, 2066 to 2069
+  const bool direction = (b == 0x80 && (c == 0x8e || c == 0x8f || (c >= 0xaa && c <= 0xae))) ||
+                         (b == 0x81 && c >= 0xa6 && c <= 0xa9);
+  return a == 0xe2 && direction ? 3 : 0;
 }
 
 }  // namespace

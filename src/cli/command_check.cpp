@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -12,6 +13,7 @@
 #include "study/evaluate/calibration.h"
 #include "study/plan/feasible_box.h"
 #include "study/plan/nearest_feasible.h"
+#include "study/plan/variable_ranges.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_method.h"
@@ -20,19 +22,6 @@ namespace icebow {
 namespace {
 
 constexpr std::size_t most_listed = 30;
-
-const char* method_name(MethodType type) {
-  switch (type) {
-    case MethodType::grid:
-      return "grid";
-    case MethodType::latin_hypercube:
-      return "latin_hypercube";
-    case MethodType::optimise:
-      return "optimise";
-    default:
-      return "list";
-  }
-}
 
 std::string range_of(const Variable& v) {
   if (v.values.empty())
@@ -44,11 +33,12 @@ std::string range_of(const Variable& v) {
 }
 
 std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
-  std::string text = "method: " + std::string(method_name(spec.method.type));
+  std::string text = "method: " + method_name(spec.method.type);
   if (spec.method.type == MethodType::optimise) {
     const Algorithm* algorithm = find_algorithm(spec.method.algorithm);
     text += " by " + spec.method.algorithm + " (" + algorithm->meaning + "), up to " +
-            std::to_string(plan.proposals) + " more designs";
+            std::to_string(spec.method.max_evaluations) + " points" +
+            (plan.proposals < spec.method.max_evaluations ? ", the baseline among them" : "");
   }
   text += ", ranked by " + spec.rank_by + "\n";
   for (const Variable& v : spec.method.variables) text += "  " + v.pointer + ": " + range_of(v) + "\n";
@@ -76,8 +66,7 @@ std::string hull_lines(const Case& c) {
 }
 
 // Which part of the variables' box is feasible, and bounds that are.
-std::string box_lines(const StudySpec& spec) {
-  const FeasibleBox box = feasible_box(spec);
+std::string box_lines(const FeasibleBox& box) {
   if (box.tried == 0) return "";
   std::string text = "feasible: " + std::to_string(box.feasible) + " of " + std::to_string(box.tried) +
                      " points of the whole box\n";
@@ -89,8 +78,18 @@ std::string box_lines(const StudySpec& spec) {
   return text;
 }
 
+int infeasible(const StudyPlan& plan) {
+  return static_cast<int>(
+      std::count_if(plan.designs.begin(), plan.designs.end(), [](const PlannedDesign& planned) {
+        return planned.design.given && !check_feasibility(*planned.design.given).feasible;
+      }));
+}
+
 std::string design_lines(const StudyPlan& plan) {
-  std::string text = "designs: " + std::to_string(plan.designs.size()) + "\n";
+  const int no = infeasible(plan);
+  const std::string all = std::to_string(plan.designs.size());
+  std::string text = "designs: " + all + "\n";
+  if (no > 0) text += "  " + std::to_string(no) + " of " + all + " infeasible\n";
   for (std::size_t k = 0; k < plan.designs.size() && k < most_listed; ++k) {
     const PlannedDesign& planned = plan.designs[k];
     text += "  " + std::to_string(k + 1) + "  " + planned.design.name;
@@ -143,14 +142,29 @@ std::string size_line(const Case& c) {
          block_line(scenario, size, c.lambda);
 }
 
+// Of the points that the study would try within its ranges, or of points all over them.
+bool nothing_is_feasible(const StudySpec& spec, const StudyPlan& plan, const FeasibleBox& box) {
+  if (spec.method.type == MethodType::optimise) return box.tried > 0 && box.feasible == 0;
+  std::vector<Evaluation> expected;
+  for (const PlannedDesign& planned : plan.designs) {
+    const bool no = planned.design.given && !check_feasibility(*planned.design.given).feasible;
+    Evaluation e;
+    e.parameters = planned.design.parameters;
+    e.status = no ? EvaluationStatus::infeasible : EvaluationStatus::running;
+    expected.push_back(e);
+  }
+  return nothing_feasible(spec, expected);
+}
+
 }  // namespace
 
 int run_check(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const StudyPlan plan = plan_study(spec);
+  const FeasibleBox box = feasible_box(spec);
   std::string text = spec.file + ": no mistakes\n" + printable(spec.name) + "\n";
   if (!spec.purpose.empty()) text += "purpose: " + printable(spec.purpose) + "\n";
-  text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(spec) +
+  text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(box) +
           operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
           (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "") + "\n";
@@ -159,7 +173,9 @@ int run_check(const Communicator&, const Arguments& arguments) {
             std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
   if (spec.use_peridynamics || spec.confirm.given()) text += size_line(spec.baseline);
   std::cout << text;
-  return exit_code::ok;
+  if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;
+  std::cerr << spec.file << ": nothing is feasible: the study would rank no design of its method\n";
+  return exit_code::nothing_feasible;
 }
 
 }  // namespace icebow

@@ -48,7 +48,21 @@ int write_reports(const std::string& directory) {
 
 int code_of(const StudyOutcome& outcome, int reports) {
   if (reports != exit_code::ok) return reports;
+  if (outcome.nothing_feasible) return exit_code::nothing_feasible;
   return outcome.failed > 0 ? exit_code::some_designs_failed : exit_code::ok;
+}
+
+std::string words_on_failures(const StudyOutcome& outcome) {
+  std::string words;
+  if (outcome.nothing_feasible)
+    words +=
+        "nothing is feasible of what was tried within the ranges of the study's variables: the ranking has "
+        "no "
+        "design of the method. `icebow check` looks for bounds that are feasible\n";
+  if (outcome.failed > 0)
+    words += std::to_string(outcome.failed) +
+             " failed for the reasons above; the same command with --retry-failed evaluates them again\n";
+  return words;
 }
 
 int conclude(const StudyOutcome& outcome, const Arguments& arguments) {
@@ -63,7 +77,8 @@ int conclude(const StudyOutcome& outcome, const Arguments& arguments) {
   std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n" : ranking_text(ranking));
   std::cerr << outcome.ok << " ok, " << outcome.infeasible << " infeasible, " << outcome.failed << " failed";
   if (outcome.recalled > 0) std::cerr << ", " << outcome.recalled << " of them stored before";
-  std::cerr << "; " << (std::filesystem::path(directory) / "report.html").string() << "\n";
+  std::cerr << "; " << (std::filesystem::path(directory) / "report.html").string() << "\n"
+            << words_on_failures(outcome);
   return code_of(outcome, reports);
 }
 

@@ -33,7 +33,8 @@ const std::vector<Command>& commands() {
       {"check",
        "STUDY",
        "read a study file, list every mistake or what it will do",
-       "Exits with 2 where the file has a mistake; each is listed with its JSON pointer. Nothing is written.",
+       "Exits with 2 where the file has a mistake; each is listed with its JSON pointer, and with 3 where no "
+       "design is feasible. Nothing is written.",
        "icebow check studies/quickstart.json --set /ice/thickness_m=0.8",
        {set},
        false,
@@ -139,12 +140,13 @@ const std::vector<Command>& commands() {
        "the whole study: evaluate every design, rank, report",
        "An interrupted study goes on when the same command is given again. Finished designs in DIR are kept; "
        "a design that was under way loses the last five minutes at most. At the end the command writes "
-       "DIR/report.html, ranking.csv and ranking.md. Exits with 3 where some designs failed.",
+       "DIR/report.html, ranking.csv and ranking.md. Exits with 3 where some designs failed or none is "
+       "feasible.",
        "icebow run studies/cycle_sweep.json --out out/sweep",
        {set,
         {"--out", "DIR", "directory of the study", true},
         {"--jobs", "N", "designs at once; default: as the study says"},
-        {"--retry-failed", "", "evaluate failed designs again"},
+        {"--retry-failed", "", "evaluate failed designs again, whatever they failed of"},
         json},
        true,
        run_run},

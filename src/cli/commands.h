@@ -7,7 +7,8 @@
 namespace icebow {
 
 namespace exit_code {
-constexpr int ok = 0, failure = 1, bad_input = 2, some_designs_failed = 3, interrupted = 130;
+constexpr int ok = 0, failure = 1, bad_input = 2, some_designs_failed = 3, nothing_feasible = 3,
+              interrupted = 130;
 }
 
 // On the root alone.

@@ -109,7 +109,7 @@ void ProgressDisplay::on_progress(const std::string& design, const Progress& pro
 
 void ProgressDisplay::on_finished(const Evaluation& e, bool recalled) {
   state_.finished(e.name, recalled);
-  const std::string count = "[" + std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + "] ";
+  const std::string count = "[" + std::to_string(state_.done()) + "/" + state_.total_words() + "] ";
   const bool ok = e.status == EvaluationStatus::ok, failed = e.status == EvaluationStatus::failed;
   const std::string words = coloured(result_words(e), ok ? "32" : failed ? "31" : "33");
   announce(count + e.name + "  " + words + (recalled ? "  (stored)" : "  " + clock_time(e.wall_seconds)));
@@ -164,8 +164,7 @@ void ProgressDisplay::draw_bars() {
                                  decimals(running.progress.load, 1) + " N (model)"));
   }
   if (state_.total() > 1) {
-    const std::string count =
-        std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + " designs";
+    const std::string count = std::to_string(state_.done()) + "/" + state_.total_words() + " designs";
     lines.push_back(
         bar_line("study", state_.fraction(), "eta " + clock_time(state_.eta(now())) + "  " + count));
   }
@@ -187,7 +186,7 @@ void ProgressDisplay::print_line() {
                  clock_time(ProgressState::eta(running, now())).c_str(), run_words(running.progress).c_str());
     return;
   }
-  std::string text = std::to_string(state_.done()) + "/" + std::to_string(state_.total()) + " designs";
+  std::string text = std::to_string(state_.done()) + "/" + state_.total_words() + " designs";
   for (const auto& [name, running] : state_.running()) {
     text += ", " + name + " " + percent(running.fraction()) + " (" + decimals(running.progress.advance, 2) +
             " m)";

@@ -26,6 +26,8 @@ class ProgressState {
   void finished(const std::string& design, bool recalled);
 
   int total() const { return planned_; }
+  // "12", or "61 at most" while an optimiser may propose more.
+  std::string total_words() const;
   int done() const { return done_; }
   const std::map<std::string, Running>& running() const { return running_; }
   double fraction() const;  // of the study, running designs in part
@@ -49,6 +51,7 @@ class ProgressDisplay : public StudyObserver {
   void on_started(const Design& design) override;
   void on_progress(const std::string& design, const Progress& progress) override;
   void on_finished(const Evaluation& evaluation, bool recalled) override;
+  void on_waiting(const std::string& words) override { announce(words); }
   void on_study_finished(const StudyOutcome& outcome) override;
   void announce(const std::string& line);  // scrolls by above the bars
 

@@ -34,6 +34,10 @@ void ProgressState::finished(const std::string& design, bool recalled) {
   }
 }
 
+std::string ProgressState::total_words() const {
+  return std::to_string(planned_ + proposals_) + (proposals_ > 0 ? " at most" : "");
+}
+
 double ProgressState::fraction() const {
   const int total = planned_ + proposals_;
   double done = done_;

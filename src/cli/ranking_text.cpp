@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "base/errors.h"
 #include "base/json_fields.h"
@@ -48,6 +49,40 @@ std::string confirmation_text(const Ranking& ranking) {
   return text + "\nTies are told without the error of the ratio that all designs share.\n\n";
 }
 
+// Variables that differ between the ranked designs, by pointer.
+std::vector<std::string> varied(const Ranking& ranking) {
+  std::map<std::string, std::set<double>> values;
+  for (const RankedDesign& row : ranking.rows)
+    for (const auto& [pointer, value] : row.evaluation.parameters)
+      if (row.rank > 0) values[pointer].insert(value);
+  std::vector<std::string> pointers;
+  for (const auto& [pointer, different] : values)
+    if (different.size() > 1) pointers.push_back(pointer);
+  return pointers;
+}
+
+std::vector<std::string> parameter_cells(const Evaluation& e, const std::vector<std::string>& pointers) {
+  std::vector<std::string> cells;
+  for (const std::string& pointer : pointers) {
+    const auto found = e.parameters.find(pointer);
+    cells.push_back(found == e.parameters.end() ? "" : brief(found->second));
+  }
+  return cells;
+}
+
+// Columns that say nothing of any design, like the mean load in a study of the formula alone, are left out.
+std::vector<std::vector<std::string>> without_empty_columns(
+    const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::vector<std::string>> kept(rows.size());
+  for (std::size_t column = 0; column < rows[0].size(); ++column) {
+    bool says_something = rows.size() < 2;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      says_something = says_something || (!rows[i][column].empty() && rows[i][column] != "-");
+    for (std::size_t i = 0; i < rows.size() && says_something; ++i) kept[i].push_back(rows[i][column]);
+  }
+  return kept;
+}
+
 std::string tie(const RankedDesign& row) {
   if (row.tied_with_best && row.rank > 1) return "with the best";
   return row.tied_with_next ? "with the next" : "";
@@ -85,6 +120,10 @@ std::string ranking_text(const Ranking& ranking) {
   std::vector<std::vector<std::string>> rows = {
       {"design", "rank", "mean load, kN", "Lindqvist " + compared_part(ranking) + ", kN", "ratio", "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
+  const std::vector<std::string> pointers = varied(ranking);
+  std::vector<std::string> names;
+  for (const std::string& pointer : pointers) names.push_back(pointer.substr(pointer.rfind('/') + 1));
+  rows[0].insert(rows[0].begin() + 1, names.begin(), names.end());
   std::string others;
   for (const RankedDesign& row : ranking.rows) {
     const Evaluation& e = row.evaluation;
@@ -98,9 +137,12 @@ std::string ranking_text(const Ranking& ranking) {
       rows.back().insert(
           rows.back().begin() + 3,
           {kilonewtons(row.cycle_load) + " \u00b1 " + kilonewtons(row.cycle_ci95), simulated(row)});
+    const std::vector<std::string> cells = parameter_cells(e, pointers);
+    rows.back().insert(rows.back().begin() + 1, cells.begin(), cells.end());
   }
   std::string text = confirmation_text(ranking) + "ranked by " + ranking.rank_by +
-                     ", full scale, \u00b1 95 % interval of the mean\n\n" + text_table(rows);
+                     ", full scale, \u00b1 95 % interval of the mean\n\n" +
+                     text_table(without_empty_columns(rows));
   const std::string process = process_table(ranking);
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;

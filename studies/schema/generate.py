@@ -28,7 +28,10 @@ CONDITIONS = {"bow": [
              "else": ([], ["fracture_toughness", "critical_stretch"])}]}
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
 SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "ranking", "execution"]
-METHOD_KEYS = {"list": [], "grid": ["variables"], "latin_hypercube": ["variables", "samples", "seed"],
+METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
+               "latin_hypercube": ["variables", "samples", "seed", "extends"],
+               "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
+               "central_composite": ["variables"], "box_behnken": ["variables"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
 
 
@@ -127,10 +130,11 @@ def variables_schema(table):
 def method_rule(kind, all_keys):
     then = {"properties": {k: False for k in all_keys if k not in METHOD_KEYS[kind]}}
     if "variables" in METHOD_KEYS[kind]:
-        ranged = {"required": ["min", "max"] + (["levels"] if kind == "grid" else []),
-                  "properties": {"values": False, **({} if kind == "grid" else {"levels": False})}}
+        levels = kind in ("grid", "one_at_a_time")
+        ranged = {"required": ["min", "max"] + (["levels"] if levels else []),
+                  "properties": {"values": False, **({} if levels else {"levels": False})}}
         listed = {"required": ["values"], "properties": {"min": False, "max": False, "levels": False}}
-        each = {"oneOf": [ranged, listed]} if kind == "grid" else ranged
+        each = {"oneOf": [ranged, listed]} if levels else ranged
         then["properties"]["variables"] = {"additionalProperties": each}
         then["required"] = ["variables"]
     test = {"properties": {"type": {"const": kind}}}  # holds without a type as well: the default is a list
@@ -141,6 +145,9 @@ def method_schema(table):
     schema = section_schema(table["keys"], "method")
     schema["properties"]["algorithm"]["enum"] = [a["name"] for a in table["algorithms"]]
     schema["properties"]["variables"] = variables_schema(table)
+    schema["properties"]["extends"] = {"description": "latin_hypercube: smaller numbers of samples that it grew from",
+                                       "type": "array", "minItems": 1, "uniqueItems": True,
+                                       "items": {"type": "integer", "minimum": 1, "maximum": 99999}}
     keys = [k for k in schema["properties"] if k != "type"]
     schema["allOf"] = [method_rule(kind, keys) for kind in METHOD_KEYS]
     return schema

@@ -134,6 +134,7 @@ TEST_CASE("a file full of mistakes is told in fifty of them, each short and prin
     CHECK(error.mistakes().size() == 100);
   }
   CHECK(printable("a\x1b[2J\u009b\u202e\n\tb\x7f") == "a?[2J??\n\tb?");
+  CHECK(printable("a\u200eb\u200fc\u061cd") == "a?b?c?d");
   CHECK(printable("\u00e9\u2028 \xff") == "\u00e9\u2028 \xff");
   CHECK(shortened("\u00e9\u00e9", 3) == "\u00e9...");
 }
@@ -168,4 +169,12 @@ TEST_CASE("a file that cannot be written whole leaves what was there") {
   std::signal(SIGXFSZ, SIG_DFL);
   CHECK(read_text_file(dir.file("a")) == "old");
   CHECK(std::distance(std::filesystem::directory_iterator(dir.path), {}) == 1);
+}
+
+TEST_CASE("a decimal comma is told as one") {
+  const auto mistakes = mistakes_of("{\"bow\": {\n \"stem_deg\": 24,35, \"x\": 1}}");
+  REQUIRE(mistakes.size() == 1);
+  CHECK(mistakes[0].message.find("decimal point is wanted: 24.35") != std::string::npos);
+  CHECK(mistakes_of("{\"a\": 24, 35}").at(0).message.find("decimal") == std::string::npos);
+  CHECK(mistakes_of("[1,2,x]").at(0).message.find("decimal") == std::string::npos);
 }

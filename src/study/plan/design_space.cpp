@@ -15,6 +15,7 @@
 #include "study/plan/confirmation.h"
 #include "study/plan/repeats.h"
 #include "study/plan/sampling.h"
+#include "study/plan/variable_ranges.h"
 #include "study/spec/model_notes.h"
 
 namespace icebow {
@@ -68,9 +69,50 @@ std::vector<std::vector<double>> grid(const Method& method) {
   return full_factorial(levels);
 }
 
-std::vector<std::vector<double>> hypercube(const Method& method) {
-  const std::vector<Variable>& variables = method.variables;
-  auto points = latin_hypercube(static_cast<int>(variables.size()), method.samples, method.seed);
+// The values of the baseline, but for one variable.
+std::vector<std::vector<double>> one_at_a_time(const StudySpec& spec) {
+  const std::vector<double> baseline = start_point(spec);
+  std::vector<std::vector<double>> points;
+  for (std::size_t i = 0; i < baseline.size(); ++i) {
+    const Variable& v = spec.method.variables[i];
+    for (const double value : v.values.empty() ? equally_spaced(v.lower, v.upper, v.levels) : v.values) {
+      points.push_back(baseline);
+      points.back()[i] = value;
+    }
+  }
+  return points;
+}
+
+// Each number of samples that it grew from, then all.
+std::vector<std::vector<double>> hypercube(int dimension, const Method& method) {
+  std::vector<int> numbers = method.extends;
+  numbers.push_back(method.samples);
+  auto points = latin_hypercube(dimension, numbers.front(), method.seed);
+  for (const int samples : numbers) points = augmented_hypercube(std::move(points), samples, method.seed);
+  return points;
+}
+
+std::vector<std::vector<double>> unit_points(const Method& method) {
+  const int dimension = static_cast<int>(method.variables.size());
+  switch (method.type) {
+    case MethodType::latin_hypercube:
+      return hypercube(dimension, method);
+    case MethodType::sobol:
+      return sequence(Sequence::sobol, dimension, method.samples);
+    case MethodType::halton:
+      return sequence(Sequence::halton, dimension, method.samples);
+    case MethodType::central_composite:
+      return central_composite(dimension);
+    case MethodType::box_behnken:
+      return box_behnken(dimension);
+    default:
+      return {};
+  }
+}
+
+// From the unit cube to the ranges.
+std::vector<std::vector<double>> in_units(std::vector<std::vector<double>> points,
+                                          const std::vector<Variable>& variables) {
   for (std::vector<double>& point : points) {
     for (std::size_t i = 0; i < point.size(); ++i) {
       point[i] = variables[i].lower + point[i] * (variables[i].upper - variables[i].lower);
@@ -79,10 +121,11 @@ std::vector<std::vector<double>> hypercube(const Method& method) {
   return points;
 }
 
-std::vector<std::vector<double>> method_points(const Method& method) {
+std::vector<std::vector<double>> method_points(const StudySpec& spec) {
+  const Method& method = spec.method;
   if (method.type == MethodType::grid) return grid(method);
-  if (method.type == MethodType::latin_hypercube) return hypercube(method);
-  return {};
+  if (method.type == MethodType::one_at_a_time) return one_at_a_time(spec);
+  return in_units(unit_points(method), method.variables);
 }
 
 class Plan {
@@ -123,6 +166,7 @@ StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
   if (spec.use_peridynamics || spec.confirm.given())
     plan.plan.notes = model_notes(spec.baseline, spec.confirm.given());
+  for (std::string& note : notes_on_ranges(spec)) plan.plan.notes.push_back(std::move(note));
   const Json own = document_of_one(spec);
   if (spec.include_baseline)
     plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(baseline_of(spec)));
@@ -132,10 +176,14 @@ StudyPlan plan_study(const StudySpec& spec) {
     plan.add(swept(spec, named.name, std::move(document)));
   }
   int n = 0;
-  for (const std::vector<double>& x : method_points(spec.method)) {
+  for (const std::vector<double>& x : method_points(spec)) {
     plan.add(design_at(spec, numbered_name(++n), x));
   }
-  if (spec.method.type == MethodType::optimise) plan.plan.proposals = spec.method.max_evaluations;
+  if (spec.method.type == MethodType::optimise) {
+    const bool starts_at_baseline =
+        spec.include_baseline && is_within(spec.method.variables, parameters_of(spec, spec.document));
+    plan.plan.proposals = spec.method.max_evaluations - (starts_at_baseline ? 1 : 0);
+  }
   return plan.plan;
 }
 

@@ -19,7 +19,9 @@ struct StudyPlan {
   std::vector<PlannedDesign> designs;  // baseline, named designs, then those of the method, each followed by
                                        // its repeats; no key twice
   std::vector<std::string> notes;      // "d004 is the same as baseline: evaluated once"
-  int proposals = 0;  // optimise: how many designs the optimiser may add at most; 0 otherwise
+  // optimise: how many designs the optimiser may add at most, its start left out where that is the baseline;
+  // 0 otherwise
+  int proposals = 0;
 };
 
 // A point of the method that the reader rejects is planned with its mistake: it becomes a failed design.

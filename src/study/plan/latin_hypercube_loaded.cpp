@@ -13,4 +13,13 @@ std::vector<std::vector<double>> latin_hypercube(int dimension, int n, std::uint
   return points;
 }
 
+std::vector<std::vector<double>> sequence(Sequence kind, int dimension, int n) {
+  using Sample = void (*)(bool, int, int, std::vector<std::vector<double>>&);
+  static const auto sample =
+      reinterpret_cast<Sample>(plugin_function("libicebow_sampling.so", "icebow_sequence"));
+  std::vector<std::vector<double>> points;
+  sample(kind == Sequence::sobol, dimension, n, points);
+  return points;
+}
+
 }  // namespace icebow

@@ -40,7 +40,7 @@ const Algorithm& find_algorithm(const std::string& name, std::size_t variables) 
     if (name != a.name) continue;
     if (variables >= a.least_variables) return a;
     throw InputError("the optimiser " + name + " needs at least " + std::to_string(a.least_variables) +
-                     " variables, there is " + std::to_string(variables) + "; take sbplx");
+                     " variables, there is " + std::to_string(variables) + "; take cobyla");
   }
   throw InputError("there is no optimiser \"" + name + "\": allowed are " + joined_names());
 }

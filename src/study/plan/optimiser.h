@@ -12,7 +12,7 @@
 namespace icebow {
 
 struct OptimiserOptions {
-  std::string algorithm = "sbplx";  // see optimiser_names()
+  std::string algorithm = "cobyla";  // see optimiser_names()
   std::uint64_t seed = 1;
   int max_evaluations = 60;  // `value` is never called more often
   double tolerance = 0.01;   // stop when every variable moves less than this part of its range; 0 = never

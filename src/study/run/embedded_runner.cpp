@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "base/errors.h"
-#include "base/text.h"
 #include "study/run/crash_mark.h"
+#include "study/run/failure.h"
 #include "study/run/runner.h"
 #include "study/store/design_files.h"
 
@@ -40,6 +40,7 @@ Json outcome_json(const StudyOutcome& o) {
           {"recalled", o.recalled},
           {"interrupted", o.interrupted},
           {"best", o.best},
+          {"nothing_feasible", o.nothing_feasible},
           {"notes", o.notes}};
 }
 
@@ -51,6 +52,7 @@ StudyOutcome outcome_from(const Json& json) {
   o.recalled = json.at("recalled");
   o.interrupted = json.at("interrupted");
   o.best = json.at("best");
+  o.nothing_feasible = json.at("nothing_feasible");
   o.notes = json.at("notes").get<std::vector<std::string>>();
   return o;
 }
@@ -93,6 +95,7 @@ class EmbeddedRunner : public Runner {
     if (e.status == EvaluationStatus::running && timed_out) {
       e.status = EvaluationStatus::failed;
       e.reason = time_limit_reason(limit);
+      e.result["failure"] = time_limit_failure(limit);
     }
     return e;
   }
@@ -134,10 +137,6 @@ void end_embedded(const Communicator& comm, const StudyOutcome& outcome) {
 void fail_embedded(const Communicator& comm, const std::exception& error) {
   const bool input = dynamic_cast<const InputError*>(&error) != nullptr;
   tell(comm, {{"error", error.what()}, {"input", input}});
-}
-
-std::string time_limit_reason(double limit_s) {
-  return text("longer than the time limit of %g s (execution/time_limit_s)", limit_s);
 }
 
 }  // namespace icebow

@@ -11,6 +11,7 @@
 #include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
 #include "study/run/child_process.h"
+#include "study/run/failure.h"
 #include "study/run/runner.h"
 #include "study/store/design_files.h"
 
@@ -299,6 +300,8 @@ Evaluation IsolatedRunner::lost(const Job& job) const {
                                  : "the program was lost: " + complaint;
   if (!said.empty() && !job.timed_out) e.reason += ": " + said;
   e.result = {{"log", "log.txt"}};
+  e.result["failure"] =
+      job.timed_out ? time_limit_failure(context_.spec.execution.time_limit_s) : crash_failure();
   return e;
 }
 

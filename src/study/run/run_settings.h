@@ -31,7 +31,9 @@ struct RunSettings {
   std::string command;    // as the user typed it; recorded
   Launcher launcher = Launcher::automatic;
   int jobs = 0;  // designs at once (isolated); 0 = as the study says, or cores / ranks per design
-  bool retry_failed = false;  // evaluate failed designs again; otherwise a failure is a result like any other
+  // Evaluate failed designs again; otherwise a failure is a result like any other, unless its cause has
+  // changed: study/run/failure.h.
+  bool retry_failed = false;
   std::function<bool()> stop;  // asked on the root a few times a second; true = end now, store consistent
   EvaluateFunction evaluate;   // empty = icebow::evaluate (embedded only; a child process has its own)
   MarginsFunction margins;     // empty = those of check_feasibility
@@ -41,6 +43,7 @@ struct StudyOutcome {
   int ok = 0, infeasible = 0, failed = 0;  // designs of the present study, recalled ones included
   int recalled = 0;                        // of those, how many were taken from the store
   bool interrupted = false;                // settings.stop said so: the same command goes on from here
+  bool nothing_feasible = false;           // of all that was tried within the ranges of the study's variables
   std::string best;                // name of the best design by the study's rank_by; empty where none is ok
   std::vector<std::string> notes;  // for the user: duplicates, results kept of an earlier study file ...
 };

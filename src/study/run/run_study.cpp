@@ -9,10 +9,13 @@
 #include <optional>
 
 #include "base/errors.h"
+#include "base/text.h"
 #include "study/evaluate/calibration.h"
 #include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
 #include "study/plan/repeats.h"
+#include "study/plan/variable_ranges.h"
+#include "study/run/failure.h"
 #include "study/run/runner.h"
 #include "study/run/study_directory.h"
 #include "study/spec/case_hull.h"
@@ -43,6 +46,7 @@ class StudyLoop {
 
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
+  bool fails_again(const Evaluation& stored);
   bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
   void start(const PlannedDesign& planned);
   void finish(std::vector<Evaluation> ended);
@@ -119,7 +123,8 @@ void StudyLoop::run_optimiser() {
   const OptimiserResult result =
       optimise(problem, {method.algorithm, method.seed, method.max_evaluations, method.tolerance});
   outcome_.notes.push_back(method.algorithm + " ended after " + std::to_string(result.evaluations) +
-                           " points: " + result.reason);
+                           " points" + (result.best.empty() ? ", none of which has a value: " : ": ") +
+                           result.reason);
 }
 
 // The simulation of the best designs by the cycle and of some that are far from them.
@@ -187,7 +192,8 @@ void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
 
 // Whether there is nothing to evaluate.
 bool StudyLoop::recall(const PlannedDesign& planned) {
-  settle_name(store_, settings_.directory, planned.design.name, planned.key);
+  std::optional<Evaluation> stored =
+      settle_name(store_, settings_.directory, planned.design.name, planned.key);
   if (!planned.design.given) {
     under_way_[planned.design.name] = planned;
     clear_design_directory(settings_.directory, planned.design.name);
@@ -197,8 +203,8 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
     finish({rejected});
     return true;
   }
-  std::optional<Evaluation> stored = store_.find(planned.key);
   if (!stored) return false;
+  const Json before = to_json(*stored);
   if (stored->status == EvaluationStatus::running) {
     const Crashes crashes = crashes_of(*stored, settings_.directory);
     if (crashes.count < 2) return false;
@@ -207,8 +213,7 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
         "crashed twice: the program was lost each time while it evaluated this design, last by " +
         crashes.last + " (--retry-failed tries it again)";
   }
-  const bool failed = stored->status == EvaluationStatus::failed;
-  if (failed && settings_.retry_failed) {
+  if (stored->status == EvaluationStatus::failed && !fails_again(*stored)) {
     store_.remove(planned.key);
     return false;
   }
@@ -216,9 +221,16 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
   complete_result(*stored, settings_.directory, !planned.design.asked.formula_alone());
-  if (to_json(*stored) != to_json(*store_.find(planned.key))) store_.put(*stored);
+  if (to_json(*stored) != before) store_.put(*stored);
   report(*stored, true);
   return true;
+}
+
+bool StudyLoop::fails_again(const Evaluation& stored) {
+  if (settings_.retry_failed) return false;
+  const std::string changed = changed_since(stored, spec_.execution);
+  if (!changed.empty()) outcome_.notes.push_back(stored.name + " is tried again: " + changed);
+  return changed.empty();
 }
 
 // An optimiser's next points depend on every value before: it cannot go on without this one.
@@ -279,7 +291,7 @@ void StudyLoop::keep(Evaluation& evaluation) {
 }
 
 void StudyLoop::told(const Evaluation& evaluation) {
-  if (!under_way_.at(evaluation.name).design.asked.formula_alone())
+  if (!under_way_.at(evaluation.name).design.asked.formula_alone() && !goes_on_later(evaluation))
     remove_checkpoint_in(design_directory(settings_.directory, evaluation.name));
   if (evaluation.result.contains("notes") && evaluation.result.at("notes").is_array())
     for (const Json& note : evaluation.result.at("notes"))
@@ -306,6 +318,7 @@ void StudyLoop::abandon() {
 
 void StudyLoop::sum_up() {
   const std::vector<Evaluation> evaluations = store_.all();
+  outcome_.nothing_feasible = !outcome_.interrupted && nothing_feasible(spec_, evaluations);
   for (const Evaluation& e : evaluations) {
     outcome_.ok += e.status == EvaluationStatus::ok;
     outcome_.infeasible += e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1;
@@ -313,6 +326,20 @@ void StudyLoop::sum_up() {
   }
   const Ranking ranking = rank_designs(evaluations, spec_.rank_by);
   if (!ranking.rows.empty() && ranking.rows[0].rank == 1) outcome_.best = ranking.rows[0].evaluation.name;
+}
+
+// A week's study does not end because somebody looks into its store: it waits, and says so.
+Store::Waiting patience(const RunSettings& settings, StudyObserver& observer) {
+  constexpr double first = 2.0, then = 60.0;  //!< [s]
+  return [&settings, &observer, next = first](double seconds) mutable {
+    if (seconds < first) next = first;
+    if (seconds >= next) {
+      observer.on_waiting(
+          text("another program holds results.sqlite locked: waiting for it, %.0f s so far", seconds));
+      next += then;
+    }
+    return !(settings.stop && settings.stop());
+  };
 }
 
 // Empty settings mean the real thing.
@@ -328,13 +355,13 @@ RunSettings completed(RunSettings settings) {
 
 StudyOutcome run_on_root(const Communicator& comm, const StudySpec& spec, const RunSettings& settings,
                          StudyObserver& observer) {
-  StudyDirectory directory = open_study_directory(spec, settings);
-  const RunnerContext context{spec, settings, [&](const std::string& design, const Progress& progress) {
-                                observer.on_progress(design, progress);
-                              }};
+  StudyDirectory directory = open_study_directory(spec, settings, patience(settings, observer));
+  const RunnerContext context{
+      directory.spec, settings,
+      [&](const std::string& design, const Progress& progress) { observer.on_progress(design, progress); }};
   const auto runner = settings.launcher == Launcher::isolated ? make_isolated_runner(context)
                                                               : make_embedded_runner(comm, context);
-  return StudyLoop(spec, settings, directory.store, *runner, observer).run(directory.notes);
+  return StudyLoop(directory.spec, settings, directory.store, *runner, observer).run(directory.notes);
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ class StudyObserver {
   virtual void on_started(const Design& /*design*/) {}
   virtual void on_progress(const std::string& /*design*/, const Progress& /*progress*/) {}
   virtual void on_finished(const Evaluation& /*evaluation*/, bool /*recalled*/) {}
+  // Another program holds the store: what is said every now and then.
+  virtual void on_waiting(const std::string& /*words*/) {}
   virtual void on_study_finished(const StudyOutcome& /*outcome*/) {}
 };
 

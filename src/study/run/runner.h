@@ -41,7 +41,4 @@ StudyOutcome serve_embedded(const Communicator& comm, const EvaluateFunction& ev
 void end_embedded(const Communicator& comm, const StudyOutcome& outcome);
 void fail_embedded(const Communicator& comm, const std::exception& error);
 
-// The reason of a design that ran longer than its study allows.
-std::string time_limit_reason(double limit_s);
-
 }  // namespace icebow

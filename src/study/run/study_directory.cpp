@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "study/evaluate/provenance.h"
+#include "study/plan/augmentation.h"
 #include "study/run/crash_mark.h"
 #include "study/store/design_files.h"
 
@@ -61,12 +62,20 @@ void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings)
 
 }  // namespace
 
-StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& settings) {
+StudyDirectory open_study_directory(const StudySpec& given, const RunSettings& settings,
+                                    Store::Waiting waiting) {
   const fs::path directory(settings.directory);
   make_directories(settings.directory);
   const bool known = fs::exists(directory / "results.sqlite");
-  StudyDirectory opened{Store::open((directory / "results.sqlite").string()), {}};
+  StudyDirectory opened{
+      Store::open((directory / "results.sqlite").string(), Journal::automatic, std::move(waiting)),
+      {},
+      given};
   const std::string before = known_fact(opened.store, "study");
+  if (!before.empty()) opened.spec = continued_from(given, Json::parse(before, nullptr, false));
+  const StudySpec& spec = opened.spec;
+  const std::string extension = words_on_extension(given, spec);
+  if (!extension.empty()) opened.notes.push_back(extension);
   write_copy(spec, directory / "study.json", known);
   if (!before.empty() && before != json_text(spec.document)) {
     opened.notes.push_back(

@@ -12,12 +12,16 @@ namespace icebow {
 struct StudyDirectory {
   Store store;
   std::vector<std::string> notes;  // for the user: the study file has changed since ...
+  StudySpec spec;                  // as given, and grown from what the directory has: plan/augmentation.h
 };
 
 // Makes the directory where it is missing, locks and opens the store, writes study.json and the facts of this
 // run. Throws RuntimeError (locked, cannot be written) and InputError (a study.json that no run has put
 // there).
-StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& settings);
+//
+// `waiting`: see Store::open().
+StudyDirectory open_study_directory(const StudySpec& spec, const RunSettings& settings,
+                                    Store::Waiting waiting = {});
 
 // How often a design that was under way has crashed the process it shared: its row remembers, and a mark that
 // a crash has left since counts once.

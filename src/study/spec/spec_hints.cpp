@@ -1,7 +1,9 @@
 #include "study/spec/spec_hints.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <map>
 
 #include "base/text.h"
 
@@ -9,6 +11,32 @@ namespace icebow {
 namespace {
 
 constexpr std::size_t longest_word = 100;  // of a design's name; keys and commands are shorter
+
+std::string in_small_letters(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+// What other tools call it.
+std::string synonym(const std::string& word) {
+  static const std::map<std::string, std::string> ours = {{"lhs", "latin_hypercube"},
+                                                          {"lhc", "latin_hypercube"},
+                                                          {"latin", "latin_hypercube"},
+                                                          {"factorial", "grid"},
+                                                          {"full_factorial", "grid"},
+                                                          {"sweep", "grid"},
+                                                          {"optimization", "optimise"},
+                                                          {"subplex", "sbplx"},
+                                                          {"nelder-mead", "neldermead"},
+                                                          {"nelder_mead", "neldermead"},
+                                                          {"simplex", "neldermead"},
+                                                          {"direct", "direct_l"},
+                                                          {"crs", "crs2_lm"},
+                                                          {"formula", "lindqvist"},
+                                                          {"simulation", "peridynamics"}};
+  const auto found = ours.find(word);
+  return found == ours.end() ? "" : found->second;
+}
 
 }  // namespace
 
@@ -31,11 +59,14 @@ int edit_distance(const std::string& a, const std::string& b) {
   return previous[n];
 }
 
-std::string nearest(const std::string& word, const std::vector<std::string>& known) {
+std::string nearest(const std::string& given, const std::vector<std::string>& known) {
+  const std::string word = in_small_letters(given), same = synonym(word);
+  if (std::find(known.begin(), known.end(), same) != known.end()) return same;
   std::string best;
   int best_distance = 0;
   if (word.size() > longest_word) return best;  // no slip of the hand
-  for (const std::string& candidate : known) {
+  for (const std::string& spelling : known) {
+    const std::string candidate = in_small_letters(spelling);
     // A word contained in the other (beam for beam_m) is near however long the rest is.
     const bool contained =
         word.size() > 2 && (candidate.rfind(word, 0) == 0 || word.rfind(candidate, 0) == 0);
@@ -44,7 +75,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
     if (!contained && longer > limit) continue;
     const int distance = contained ? 1 : edit_distance(word, candidate);
     if (distance <= limit && (best.empty() || distance < best_distance)) {
-      best = candidate;
+      best = spelling;
       best_distance = distance;
     }
   }
@@ -54,6 +85,16 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   const std::string near = nearest(word, known);
   return near.empty() ? "" : " (did you mean \"" + near + "\"?)";
+}
+
+std::string number_meant(const std::string& text) {
+  std::string number = text;
+  std::replace(number.begin(), number.end(), ',', '.');
+  char* end = nullptr;
+  std::strtod(number.c_str(), &end);
+  const bool plain = number.find_first_not_of("+-.0123456789eE") == std::string::npos;
+  const bool whole = plain && number.size() < 40 && *end == '\0' && end != number.c_str();
+  return whole ? " (write " + number + ")" : "";
 }
 
 std::string brief(double value) {

@@ -120,11 +120,11 @@ const std::vector<Key> table = {
   {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},
   {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
 
-  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "latin_hypercube", "optimise"}},
-  {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube: number of designs", {}},
+  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "one_at_a_time", "latin_hypercube", "sobol", "halton", "central_composite", "box_behnken", "optimise"}},
+  {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube, sobol, halton: number of designs", {}},
   {"method", "seed", Quantity::integer, 0, any, false, 1, "1", "latin_hypercube, optimise: seed of the random numbers", {}},
-  {"method", "algorithm", Quantity::text, 0, 0, false, none, "sbplx", "optimise: which optimiser", {}},
-  {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many designs", {}},
+  {"method", "algorithm", Quantity::text, 0, 0, false, none, "cobyla", "optimise: which optimiser", {}},
+  {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many points, the start among them", {}},
   {"method", "tolerance", Quantity::number, 0, 0.5, false, 0.01, "0.01", "optimise: stop when the parameters move less than this part of their range", {}},
 
   {"confirm", "best", Quantity::integer, 0, 1000, false, 3, "3", "simulate so many of the best designs by the cycle (docs/cycle.md, \"Two fidelities\")", {}},

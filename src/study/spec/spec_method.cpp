@@ -15,7 +15,15 @@ const std::vector<MethodInfo>& types() {
   static const std::vector<MethodInfo> all = {
       {"list", MethodType::list, {}, {}},
       {"grid", MethodType::grid, {"variables"}, {"min", "max", "levels", "values"}},
-      {"latin_hypercube", MethodType::latin_hypercube, {"variables", "samples", "seed"}, {"min", "max"}},
+      {"one_at_a_time", MethodType::one_at_a_time, {"variables"}, {"min", "max", "levels", "values"}},
+      {"latin_hypercube",
+       MethodType::latin_hypercube,
+       {"variables", "samples", "seed", "extends"},
+       {"min", "max"}},
+      {"sobol", MethodType::sobol, {"variables", "samples"}, {"min", "max"}},
+      {"halton", MethodType::halton, {"variables", "samples"}, {"min", "max"}},
+      {"central_composite", MethodType::central_composite, {"variables"}, {"min", "max"}},
+      {"box_behnken", MethodType::box_behnken, {"variables"}, {"min", "max"}},
       {"optimise",
        MethodType::optimise,
        {"variables", "algorithm", "max_evaluations", "tolerance", "seed"},
@@ -31,6 +39,33 @@ const MethodInfo& type_named(const std::string& name) {
   return types().front();
 }
 
+bool takes_levels(const MethodInfo& type) {
+  return is_one_of(type.variable_keys, "levels");
+}
+
+double designs_of(const MethodInfo& type, const Method& method) {
+  const double d = static_cast<double>(method.variables.size());
+  double product = 1.0, sum = 0.0;
+  for (const Variable& v : method.variables) {
+    const double levels = v.values.empty() ? std::max(1, v.levels) : static_cast<double>(v.values.size());
+    product *= levels, sum += levels;
+  }
+  if (type.type == MethodType::central_composite) return 1.0 + 2.0 * d + std::exp2(d);
+  return type.type == MethodType::grid ? product : type.type == MethodType::one_at_a_time ? sum : 1.0;
+}
+
+void check_number_of_variables(const MethodInfo& type, const Method& method, Mistakes& mistakes) {
+  const std::size_t n = method.variables.size();
+  if (type.type == MethodType::box_behnken && (n < 3 || n > 5))
+    mistakes.push_back({"/method/variables", "has " + std::to_string(n) +
+                                                 "; the method \"box_behnken\" takes 3 to 5: take "
+                                                 "central_composite or latin_hypercube"});
+  if (type.type == MethodType::halton && n > 16)
+    mistakes.push_back(
+        {"/method/variables",
+         "has " + std::to_string(n) + "; the points of \"halton\" lie on lines in more than 16: take sobol"});
+}
+
 void parse_variables(const Json& document, const MethodInfo& type, Method& method, Mistakes& mistakes) {
   const Json& m = document.at("method");
   if (!m.contains("variables") || m.at("variables") == Json::object()) {
@@ -38,7 +73,7 @@ void parse_variables(const Json& document, const MethodInfo& type, Method& metho
                         std::string("is ") + (m.contains("variables") ? "empty" : "missing") +
                             "; the method \"" + type.name +
                             "\" needs at least one, like {\"/bow/stem_deg\": {\"min\": 18, \"max\": 30" +
-                            (type.type == MethodType::grid ? ", \"levels\": 3" : "") + "}}"});
+                            (takes_levels(type) ? ", \"levels\": 3" : "") + "}}"});
     return;
   }
   const Json& variables = m.at("variables");
@@ -47,13 +82,10 @@ void parse_variables(const Json& document, const MethodInfo& type, Method& metho
                         "is " + type_name(variables) + ", must be an object from JSON pointer to range"});
     return;
   }
-  double designs = 1.0;
-  for (const auto& [pointer, range] : variables.items()) {
+  for (const auto& [pointer, range] : variables.items())
     method.variables.push_back(parse_variable(document, type, pointer, range, mistakes));
-    const Variable& v = method.variables.back();
-    if (type.type == MethodType::grid)
-      designs *= v.values.empty() ? std::max(1, v.levels) : static_cast<double>(v.values.size());
-  }
+  check_number_of_variables(type, method, mistakes);
+  const double designs = designs_of(type, method);
   if (designs > most_designs) {
     mistakes.push_back({"/method/variables", "makes " + brief(designs) + " designs, at most " +
                                                  brief(most_designs) +
@@ -77,14 +109,34 @@ void check_algorithm(const Section& section, const Method& method, Mistakes& mis
   if (n > 0 && n < algorithm->least_variables) {
     mistakes.push_back({section.pointer("algorithm"),
                         "is \"" + method.algorithm + "\", which needs at least " +
-                            std::to_string(algorithm->least_variables) + " variables; take sbplx for one"});
+                            std::to_string(algorithm->least_variables) + " variables; take cobyla for one"});
   }
+}
+
+// Numbers of samples that a Latin hypercube grew from.
+std::vector<int> parse_extends(const Json& method, int samples, Mistakes& mistakes) {
+  std::vector<int> numbers;
+  if (!method.contains("extends")) return numbers;
+  const Json& list = method.at("extends");
+  bool good = list.is_array() && !list.empty();
+  for (const Json& entry : good ? list : Json::array()) {
+    good = good && entry.is_number_integer() &&
+           entry.get<double>() >= (numbers.empty() ? 1 : numbers.back() + 1) && entry.get<double>() < samples;
+    if (good) numbers.push_back(entry.get<int>());
+  }
+  if (!good)
+    mistakes.push_back(
+        {"/method/extends",
+         "is " + shown(list) + ", must be a list of whole numbers that grow, each less than the " +
+             std::to_string(samples) + " of samples, like [10, 20]: the samples are added to those"});
+  return good ? numbers : std::vector<int>();
 }
 
 void check_used(const Json& method, const MethodInfo& type, Mistakes& mistakes) {
   for (const auto& item : method.items()) {
     if (item.key() == "type" || is_one_of(type.keys, item.key())) continue;
-    const bool known = item.key() == "variables" || find_spelling("method", item.key()).key;
+    const bool known =
+        item.key() == "variables" || item.key() == "extends" || find_spelling("method", item.key()).key;
     if (!known) continue;  // the section has said so
     const std::string takes = type.keys.empty() ? "it takes nothing else" : "it takes " + listed(type.keys);
     mistakes.push_back(
@@ -108,6 +160,12 @@ const std::vector<Algorithm>& algorithms() {
   return all;
 }
 
+std::string method_name(MethodType type) {
+  for (const MethodInfo& info : types())
+    if (info.type == type) return info.name;
+  return "";
+}
+
 const Algorithm* find_algorithm(const std::string& name) {
   for (const Algorithm& a : algorithms()) {
     if (a.name == name) return &a;
@@ -117,7 +175,7 @@ const Algorithm* find_algorithm(const std::string& name) {
 
 Method parse_method(const Json& document, Mistakes& mistakes) {
   Method method;
-  const Section section(document, "method", 1.0, mistakes, {"variables"});
+  const Section section(document, "method", 1.0, mistakes, {"variables", "extends"});
   if (!document.contains("method") || !document.at("method").is_object()) return method;
   const std::string name = section.text("type", "list");
   const MethodInfo& type = type_named(name);
@@ -125,10 +183,12 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
   method.type = type.type;
   check_used(document.at("method"), type, mistakes);
   if (is_one_of(type.keys, "variables")) parse_variables(document, type, method, mistakes);
-  if (method.type == MethodType::latin_hypercube) method.samples = section.integer("samples");
+  if (is_one_of(type.keys, "samples")) method.samples = section.integer("samples");
+  if (method.type == MethodType::latin_hypercube)
+    method.extends = parse_extends(document.at("method"), method.samples, mistakes);
   method.seed = std::isnan(section.number("seed")) ? 1 : static_cast<std::uint64_t>(section.number("seed"));
   if (method.type == MethodType::optimise) {
-    method.algorithm = section.text("algorithm", "sbplx");
+    method.algorithm = section.text("algorithm", "cobyla");
     method.max_evaluations = section.integer("max_evaluations");
     method.tolerance = section.number("tolerance");
     check_algorithm(section, method, mistakes);

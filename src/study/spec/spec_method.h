@@ -18,6 +18,8 @@ struct Algorithm {
 const std::vector<Algorithm>& algorithms();
 const Algorithm* find_algorithm(const std::string& name);  // null where unknown
 
+std::string method_name(MethodType type);  // "latin_hypercube"
+
 // Notes its mistakes; what it returns is to be used only where it added none. `document` is the whole study
 // file: a variable must name one of its numbers.
 Method parse_method(const Json& document, Mistakes& mistakes);

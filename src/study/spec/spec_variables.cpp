@@ -51,10 +51,21 @@ class VariableReader {
     }
     const Json::json_pointer pointer(variable_.pointer);
     if (!document_.contains(pointer)) {
-      mistake("", "is not in this file; give it there, as the baseline's value");
+      mistake("", "is not in this file; " + other_spelling());
       return false;
     }
     return true;
+  }
+
+  // What to do where the file has no such key: it may have it in another unit.
+  std::string other_spelling() const {
+    const Key& key = *target_.key;
+    for (const Unit& unit : units_of(key.quantity)) {
+      const std::string there = "/" + std::string(key.section) + "/" + key.name + unit.suffix;
+      if (document_.contains(Json::json_pointer(there)))
+        return "the file gives " + there + ": vary that, in its unit";
+    }
+    return "give it there, as the baseline's value";
   }
 
   std::vector<std::string> candidates() const {
@@ -85,7 +96,8 @@ class VariableReader {
     const bool number = value.is_number();
     const double x = number ? value.get<double>() : 0.0;
     if (!number || !(x >= lower_in(key, *target_.unit) && x <= upper_in(key, *target_.unit))) {
-      mistake(below, "is " + shown(value) + (number ? ", allowed " : ", must be a number, allowed ") +
+      mistake(below, "is " + shown(value) + (number ? "" : ", must be a number") +
+                         (value.is_string() ? number_meant(value.get<std::string>()) : "") + ", allowed " +
                          range_in_words(key, *target_.unit));
       return NAN;
     }
@@ -119,7 +131,7 @@ class VariableReader {
   }
 
   void read_range(const Json& range) {
-    const bool grid = type_.type == MethodType::grid;
+    const bool grid = is_one_of(type_.variable_keys, "levels");
     const std::string shape = grid ? "min, max and levels, or values" : "min and max";
     for (const char* needed : {"min", "max", "levels"}) {
       const bool wanted = grid || std::string(needed) != "levels";
@@ -127,7 +139,9 @@ class VariableReader {
         mistake(std::string("/") + needed, "is missing; a variable needs " + shape);
     }
     if (target_.key->quantity == Quantity::integer) {
-      mistake("", "takes whole numbers only, so no range; list them in values (method \"grid\")");
+      mistake("",
+              "takes whole numbers only, so no range; list them in values (method \"grid\" or "
+              "\"one_at_a_time\")");
     }
     if (range.contains("min")) variable_.lower = read_number(range.at("min"), "/min");
     if (range.contains("max")) variable_.upper = read_number(range.at("max"), "/max");

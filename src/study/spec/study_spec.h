@@ -60,20 +60,31 @@ struct Evaluators {
   bool formula_alone() const { return lindqvist && !peridynamics && !cycle; }
 };
 
-enum class MethodType { list, grid, latin_hypercube, optimise };
+enum class MethodType {
+  list,
+  grid,
+  one_at_a_time,
+  latin_hypercube,
+  sobol,
+  halton,
+  central_composite,
+  box_behnken,
+  optimise
+};
 
 // One parameter a method may change: a JSON pointer into the study file and its range, in the file's unit.
 struct Variable {
   std::string pointer;  // "/bow/stem_deg"
   double lower = 0.0, upper = 0.0;
-  int levels = 0;              // grid only
-  std::vector<double> values;  // grid only, instead of a range
+  int levels = 0;              // grid, one_at_a_time
+  std::vector<double> values;  // there, instead of a range
 };
 
 struct Method {
   MethodType type = MethodType::list;
   std::vector<Variable> variables;
-  int samples = 0;  // latin_hypercube
+  int samples = 0;           // latin_hypercube, sobol, halton
+  std::vector<int> extends;  // latin_hypercube: smaller numbers of samples that it grew from, ascending
   std::uint64_t seed = 1;
   std::string algorithm;    // optimise: "sbplx", "cobyla", ...
   int max_evaluations = 0;  // optimise

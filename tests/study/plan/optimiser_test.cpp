@@ -136,3 +136,14 @@ TEST_CASE("what cannot be searched is said") {
   CHECK_THROWS_AS(optimise(one, options_of("bobyqa", 10)), InputError);
   CHECK(optimise(one, options_of("sbplx", 60)).best[0] < 0.01);
 }
+
+TEST_CASE("by default an optimum on a margin is met") {
+  auto problem = problem_of(smooth);
+  problem.start = {38, 58};
+  problem.margins = [](const Point& x) { return Point{x[0] + x[1] - 60.0}; };
+  OptimiserOptions options;
+  options.max_evaluations = 60, options.tolerance = 1e-4;
+  const OptimiserResult result = optimise(problem, options);
+  // 3 + 7.2^2 + 4 x 1.8^2 at (27.2, 32.8); a tenth of what lies between it and the start is far.
+  CHECK(result.value == Approx(67.8).epsilon(0.02));
+}

@@ -74,6 +74,25 @@ TEST_CASE("a hang ends with the time limit") {
   CHECK_THAT(of(observer, "hang").reason, Catch::Contains("time limit of 1 s"));
 }
 
+TEST_CASE("a design that hit the time limit goes on where the limit is raised, and only then") {
+  const TemporaryDirectory directory;
+  StudySpec spec = fake_study(designs({"slow"}));
+  spec.execution.time_limit_s = 0.5;
+  RecordingObserver first, same, raised, none;
+  run_study(Communicator::serial(), spec, isolated(directory / "s"), first);
+  CHECK_THAT(of(first, "slow").reason, Catch::Contains("time limit of 0.5 s"));
+  CHECK(std::filesystem::exists(directory / "s/designs/slow/checkpoint.h5"));
+  run_study(Communicator::serial(), spec, isolated(directory / "s"), same);
+  CHECK(same.started.empty());
+  spec.execution.time_limit_s = 30.0;  // enough, with the checkpoint or without
+  const StudyOutcome outcome = run_study(Communicator::serial(), spec, isolated(directory / "s"), raised);
+  CHECK(raised.started == std::vector<std::string>{"slow"});
+  CHECK(of(raised, "slow").result.at("went_on") == true);
+  CHECK(outcome.failed == 0);
+  CHECK_THAT(outcome.notes[0], Catch::Contains("raised from 0.5 to 30 s"));
+  CHECK_FALSE(std::filesystem::exists(directory / "s/designs/slow/checkpoint.h5"));
+}
+
 TEST_CASE("designs of the formula alone start no process, write no file and are recalled") {
   const TemporaryDirectory directory;
   RunSettings settings = isolated(directory / "s");

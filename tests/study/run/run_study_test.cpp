@@ -13,6 +13,7 @@
 
 #include "base/json.h"
 #include "study/plan/ranking.h"
+#include "study/run/failure.h"
 #include "study/store/design_files.h"
 #include "study/store/store.h"
 #include "tests/support/fake_study.h"
@@ -272,7 +273,7 @@ TEST_CASE("the optimiser starts from the stored baseline and finds the best bow"
   StudySpec spec = fake_study(optimisation);
   spec.method.max_evaluations = 120;
   const StudyOutcome outcome = run(spec, fake_settings(directory / "s"), observer);
-  CHECK(observer.planned.proposals == 120);
+  CHECK(observer.planned.proposals == 119);
   const Ranking ranking =
       rank_designs(Store::open_read_only(directory / "s/results.sqlite").all(), "mean_load");
   REQUIRE(ranking.rows[0].evaluation.name == outcome.best);
@@ -450,4 +451,79 @@ TEST_CASE("what leads out of a study's directory is not followed") {
   CHECK_THROWS_WITH(run(spec, directory / "t"), Catch::Contains("is a link"));
   for (const char* name : {"../victim", "..", "a/b", ""})
     CHECK_THROWS_AS(design_directory(directory / "s", name), RuntimeError);
+}
+
+TEST_CASE("a hypercube of more samples keeps those that were paid for") {
+  const auto study = [](int samples) {
+    return fake_study(R"({"include_baseline": false, "method": {"type": "latin_hypercube", "variables": {
+      "/bow/stem_deg": {"min": 15, "max": 34}, "/bow/waterline_deg": {"min": 20, "max": 45}}, "samples": )" +
+                      std::to_string(samples) + "}}");
+  };
+  const TemporaryDirectory directory;
+  RecordingObserver three, six, again, twelve, back;
+  run(study(3), fake_settings(directory / "s"), three);
+  const StudyOutcome grown = run(study(6), fake_settings(directory / "s"), six);
+  CHECK(three.started.size() == 3);
+  CHECK(six.recalled == std::vector<std::string>{"d001", "d002", "d003"});
+  CHECK(six.started == std::vector<std::string>{"d004", "d005", "d006"});
+  REQUIRE(!grown.notes.empty());
+  CHECK_THAT(grown.notes[0],
+             Catch::Contains("3 samples of before stay") && Catch::Contains("\"extends\": [3]"));
+  run(study(6), fake_settings(directory / "s"), again);  // the same file, which does not say "extends"
+  CHECK(again.started.empty());
+  CHECK(read_json_file(directory / "s/study.json").at("method").at("extends") == Json({3}));
+  run(study(12), fake_settings(directory / "s"), twelve);
+  CHECK(twelve.recalled.size() == 6);
+  run(study(3), fake_settings(directory / "s"), back);
+  CHECK(back.recalled == three.started);
+}
+
+TEST_CASE("nothing feasible is an outcome of its own, whatever the baseline outside the ranges is") {
+  const std::string variables =
+      R"("variables": {"/bow/stem_deg": {"min": 36, "max": 40}, "/bow/waterline_deg": {"min": 20, "max": 45}})";
+  for (const char* method : {R"("type": "latin_hypercube", "samples": 4,)", R"("type": "optimise",)"}) {
+    const TemporaryDirectory directory;
+    const StudySpec spec = fake_study("{\"method\": {" + std::string(method) + variables + "}}");
+    RecordingObserver observer;
+    const StudyOutcome outcome = run(spec, fake_settings(directory / "s"), observer);
+    CHECK(outcome.nothing_feasible);
+    CHECK(outcome.ok == 1);
+    CHECK_THAT(outcome.notes[0],
+               Catch::StartsWith("/bow/stem_deg is 25 in the file, outside its range of 36 to 40"));
+    if (spec.method.type == MethodType::optimise)
+      CHECK_THAT(outcome.notes.back(), Catch::Contains("none of which has a value"));
+  }
+  const TemporaryDirectory directory;
+  CHECK_FALSE(run(fake_study(grid_3_by_2), directory / "s").nothing_feasible);
+  CHECK(run(fake_study(R"({"bow": {"stem_deg": 36}})"), directory / "t").nothing_feasible);
+}
+
+TEST_CASE("an optimiser's start is one of its points, and costs nothing where it is the baseline") {
+  CHECK(plan_study(fake_study(optimisation)).proposals == 29);  // the baseline is within the ranges
+  CHECK(plan_study(
+            fake_study(R"({"include_baseline": false, "method": {"type": "optimise", "max_evaluations": 30,
+    "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})"))
+            .proposals == 30);
+}
+
+TEST_CASE("a design lost by a crash is tried again by another version of the program") {
+  const TemporaryDirectory directory;
+  const StudySpec spec = fake_study();
+  RunSettings settings = fake_settings(directory / "s");
+  std::string version = "0.0.0";
+  settings.evaluate = [&](const Communicator&, const Design& d, const EvaluateOptions&) {
+    Evaluation e;
+    e.name = d.name, e.status = EvaluationStatus::failed, e.reason = "the program was lost";
+    e.result["failure"] = crash_failure();
+    if (!version.empty()) e.result["failure"]["version"] = version;
+    return e;
+  };
+  RecordingObserver first, second, third;
+  run(spec, settings, first);
+  version.clear();
+  const StudyOutcome outcome = run(spec, settings, second);
+  CHECK(second.started == std::vector<std::string>{"baseline"});
+  CHECK_THAT(outcome.notes[0], Catch::Contains("baseline is tried again: it crashed version 0.0.0"));
+  run(spec, settings, third);
+  CHECK(third.started.empty());
 }
