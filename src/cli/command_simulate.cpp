@@ -100,7 +100,7 @@ int report(const Evaluation& e, const Arguments& arguments) {
 
 int run_simulate(const Communicator& comm, const Arguments& arguments) {
   const StudySpec spec = load_study(comm, arguments);
-  const Design design = to_simulate(choose_design(spec, arguments));
+  const Design design = to_simulate(choose_design(comm, spec, arguments));
   const StopSignal signals;
   Evaluation e;
   {

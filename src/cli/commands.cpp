@@ -5,8 +5,10 @@ namespace {
 
 const Option set = {"--set", "/KEY=VALUE", "change the study file for this call, like /bow/stem_deg=20",
                     false, true};
-const Option design = {"--design", "NAME-or-K",
-                       "a design of the study: its name, or its number as `icebow check` lists it"};
+const Option design = {
+    "--design", "NAME-or-K",
+    "a design of the study: its name, or its number as `icebow check` lists it; STUDY may be "
+    "a study's directory, which knows an optimiser's designs too"};
 const Option json = {"--json", "", "print the result as JSON"};
 
 }  // namespace
@@ -158,6 +160,42 @@ const std::vector<Command>& commands() {
        {json},
        false,
        run_rank},
+      {"status",
+       "DIR",
+       "how far a study is, and its best design so far",
+       "Reads DIR only, while a run writes too. \"killed\" is a study whose run ended without a word: its "
+       "command "
+       "goes on with it.",
+       "icebow status out/sweep --json",
+       {json},
+       false,
+       run_status},
+      {"show",
+       "DIR DESIGN",
+       "one design of a study: parameters, result, and the commands that take it up again",
+       "The command behind \"again\" evaluates the same ship once more, the one behind \"finer\" on a finer "
+       "lattice, "
+       "by more and finer voyages, or by the cycle instead of the formula.",
+       "icebow show out/sweep d012",
+       {json},
+       false,
+       run_show},
+      {"export",
+       "DIR",
+       "all designs of a study with all their numbers, as CSV or JSON",
+       "CSV has a column for each parameter and for each number of a result, JSON the whole results.",
+       "icebow export out/sweep --csv > sweep.csv",
+       {{"--csv", "", "print CSV, which is the default"}, json},
+       false,
+       run_export},
+      {"diff",
+       "DIR OTHER",
+       "what two studies asked differently, and what came of the same designs",
+       "A design of both has the same name, or, of a method's points, the same parameters.",
+       "icebow diff out/sweep out/thick_ice",
+       {json},
+       false,
+       run_diff},
       {"report",
        "DIR",
        "the report of a finished or running study",

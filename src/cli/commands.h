@@ -21,6 +21,10 @@ int run_resistance(const Communicator& comm, const Arguments& arguments);
 int run_cycle_command(const Communicator& comm, const Arguments& arguments);
 int run_rank(const Communicator& comm, const Arguments& arguments);
 int run_report(const Communicator& comm, const Arguments& arguments);
+int run_status(const Communicator& comm, const Arguments& arguments);
+int run_show(const Communicator& comm, const Arguments& arguments);
+int run_export(const Communicator& comm, const Arguments& arguments);
+int run_diff(const Communicator& comm, const Arguments& arguments);
 // Collective.
 int run_simulate(const Communicator& comm, const Arguments& arguments);
 int run_run(const Communicator& comm, const Arguments& arguments);

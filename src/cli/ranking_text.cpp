@@ -1,17 +1,15 @@
 #include "cli/ranking_text.h"
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 
-#include "base/errors.h"
 #include "base/json_fields.h"
 #include "cli/process_text.h"
 #include "cli/text_table.h"
 #include "study/evaluate/result_keys.h"
+#include "study/look/stored_design.h"
 #include "study/spec/spec_hints.h"
-#include "study/store/store.h"
 
 namespace icebow {
 namespace {
@@ -105,12 +103,7 @@ std::string cautions(const Ranking& ranking) {
 }  // namespace
 
 Ranking read_ranking(const std::string& directory) {
-  const std::string path = (std::filesystem::path(directory) / "results.sqlite").string();
-  if (!std::filesystem::exists(path)) {
-    throw InputError(directory +
-                     ": holds no study (no results.sqlite); name the --out directory of `icebow run`");
-  }
-  const Store store = Store::open_read_only(path);
+  const Store store = open_store_of(directory);
   const std::string by = store.fact("rank_by");
   return rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
 }

@@ -1,6 +1,7 @@
 #include "cli/study_choice.h"
 
 #include "base/errors.h"
+#include "study/look/stored_design.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
@@ -9,7 +10,8 @@ namespace icebow {
 namespace {
 
 Json load_document(const Arguments& arguments) {
-  Json document = read_json_file(arguments.positional);
+  const std::string& path = arguments.positional;
+  Json document = is_study_directory(path) ? document_of(open_store_of(path)) : read_json_file(path);
   for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
   return document;
 }
@@ -63,10 +65,18 @@ StudySpec load_study(const Communicator& comm, const Arguments& arguments) {
 
 namespace {
 
+Design planned_design(const StudySpec& spec, const Arguments& arguments) {
+  const std::string wanted = arguments.value("--design");
+  if (is_study_directory(arguments.positional)) {
+    const auto stored = stored_design(spec, open_store_of(arguments.positional), wanted);
+    if (stored) return stored->planned.design;
+  }
+  return find_planned(plan_study(spec), wanted).design;
+}
+
 Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
   if (!arguments.has("--design")) return baseline_of(spec);
-  const StudyPlan plan = plan_study(spec);
-  const Design& planned = find_planned(plan, arguments.value("--design")).design;
+  const Design planned = planned_design(spec, arguments);
   if (!planned.given || !arguments.has("--set")) return planned;
   Json document = planned.document;
   for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
@@ -80,6 +90,25 @@ ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments) {
   ChosenDesign chosen;
   chosen.design = chosen_design(spec, arguments);
   if (!chosen.design.given) throw InputError(chosen.design.mistake);
+  chosen.description = *chosen.design.given;
+  return chosen;
+}
+
+ChosenDesign choose_design(const Communicator& comm, const StudySpec& spec, const Arguments& arguments) {
+  std::string text, mistake;
+  if (comm.is_root()) {
+    try {
+      text = json_text(to_json(choose_design(spec, arguments).design));
+    } catch (const std::exception& error) {
+      mistake = error.what();
+    }
+  }
+  mistake = comm.broadcast(mistake);
+  if (!mistake.empty()) throw InputError(mistake);
+  ChosenDesign chosen;
+  chosen.design = design_from_json(Json::parse(comm.broadcast(text)));
+  mistake = first_trouble(comm, chosen.design.mistake);
+  if (!mistake.empty()) throw InputError(mistake);
   chosen.description = *chosen.design.given;
   return chosen;
 }

@@ -3,10 +3,13 @@
 
     cli_test.py PROGRAM [unittest options]
 """
+import csv
+import io
 import json
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 
 from program import icebow, FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TINY
@@ -15,7 +18,8 @@ from program import icebow, FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TI
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("new", "check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "report"):
+        for command in ("new", "check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "status", "show", "export", "diff",
+                        "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
             self.assertIn("\nexample: ", self.expect(0, "help", command).stdout)
@@ -312,6 +316,91 @@ class HullAndResistance(ProgramTest):
         self.assertAlmostEqual(paper["breaking_N"] / paper["inputs"]["sigma_f_Pa"], 1.2943, delta=2e-4)
         self.assertAlmostEqual(paper["breaking_N"] / 1.1175e6, 1, delta=2e-3)
         self.assertIn("crushing", self.expect(0, "resistance", TINY).stdout)
+
+
+class Stored(ProgramTest):
+    """What a study directory says afterwards, of an optimiser's designs too."""
+
+    def setUp(self):
+        super().setUp()
+        study = json.loads(TINY.read_text())
+        study["evaluators"], study["ranking"] = ["lindqvist"], {"by": "lindqvist_breaking"}
+        study["method"] = {"type": "optimise", "max_evaluations": 8,
+                           "variables": {"/bow/stem_deg": {"min": 22, "max": 27}, "/bow/flare_deg": {"min": 30, "max": 35}}}
+        self.study, self.out = self.directory / "study.json", self.directory / "out"
+        self.study.write_text(json.dumps(study))
+        self.expect(0, "run", self.study, "--out", self.out)
+
+    def test_an_optimisers_design_is_taken_up_again(self):
+        card = json.loads(self.expect(0, "show", self.out, "d003", "--json").stdout)
+        self.assertEqual((card["status"], card["notes"]), ("ok", []))
+        stem = card["parameters"]["/bow/stem_deg"]
+        self.assertEqual(card["document"]["bow"]["stem_deg"], stem)
+        self.assertIsNone(card["directory"])  # the formula alone has no files
+        for command in ("hull", "resistance", "cycle"):
+            said = json.loads(self.expect(0, command, self.out, "--design", "d003", "--json").stdout)
+            self.assertEqual(said["design"], "d003")
+        said = json.loads(self.expect(0, "resistance", self.out, "--design", "d003", "--json").stdout)
+        self.assertEqual(said["lindqvist"]["breaking_N"], card["result"]["lindqvist"]["breaking_N"])
+        self.assertEqual(card["value"], said["lindqvist"]["breaking_N"])
+        self.assertEqual(card["commands"]["again"], f"icebow resistance {self.out} --design d003")
+        again = json.loads(self.expect(0, *card["commands"]["again"].split()[1:], "--json").stdout)
+        self.assertEqual((again["design"], again["lindqvist"]), ("d003", said["lindqvist"]))
+        hull = json.loads(self.expect(0, "hull", self.out, "--design", "d003", "--json", "--set", "/bow/flare_deg=33").stdout)
+        self.assertAlmostEqual(hull["requested_deg"]["stem"], stem)
+        self.assertAlmostEqual(hull["requested_deg"]["flare"], 33)
+        self.assertIn("no mistakes", self.expect(0, "check", self.out).stdout)
+        self.assertIn("d003", self.expect(0, "show", self.out, "d003").stdout)
+        self.assertIn("d003", self.expect(2, "show", self.out, "d03").stderr)
+        self.assertIn("DESIGN is missing", self.expect(2, "show", self.out).stderr)
+        self.assertIn("no such design", self.expect(2, "hull", self.out, "--design", "d099").stderr)
+
+    def test_a_design_of_another_study_file_is_said_to_be_that(self):
+        study = json.loads(self.study.read_text())
+        study["ice"]["thickness_m"] *= 1.25
+        study["method"] = {"type": "list"}
+        self.study.write_text(json.dumps(study))
+        self.expect(0, "run", self.study, "--out", self.out)
+        self.assertIn("no design", self.expect(2, "show", self.out, "d003").stderr)
+        self.assertEqual(json.loads(self.expect(0, "status", self.out, "--json").stdout)["designs"], 2)
+
+    def test_status(self):
+        status = json.loads(self.expect(0, "status", self.out, "--json").stdout)
+        self.assertEqual((status["state"], status["failed"], status["running"]), ("finished", 0, []))
+        self.assertEqual(status["designs"], status["ok"] + status["infeasible"])
+        self.assertIn(f"best so far by lindqvist_breaking: {status['best']}", self.expect(0, "status", self.out).stdout)
+        subprocess.run([sys.executable, "-c", "import sqlite3, sys; sqlite3.connect(sys.argv[1]).executescript("
+                        "\"UPDATE facts SET value = 'running', digest = NULL WHERE name = 'state'\")",
+                        self.out / "results.sqlite"], check=True)
+        self.assertIn("damaged", self.expect(1, "status", self.out).stderr)
+        self.assertIn(str(self.directory), self.expect(2, "status", self.directory).stderr)
+
+    def test_all_numbers_as_csv_and_json(self):
+        table = json.loads(self.expect(0, "export", self.out, "--json").stdout)
+        rows = list(csv.DictReader(io.StringIO(self.expect(0, "export", self.out, "--csv").stdout)))
+        self.assertEqual([row["design"] for row in rows], [row["design"] for row in table])
+        for row, whole in zip(rows, table):
+            self.assertEqual(float(row["/bow/stem_deg"]), whole["parameters"]["/bow/stem_deg"])
+            if whole["status"] == "ok":
+                self.assertEqual(float(row["result:/lindqvist/total_N"]), whole["result"]["lindqvist"]["total_N"])
+        self.assertIn("keep one", self.expect(2, "export", self.out, "--csv", "--json").stderr)
+
+    def test_what_two_studies_have_in_common(self):
+        other = self.directory / "other"
+        thicker = 1.25 * json.loads(TINY.read_text())["ice"]["thickness_m"]
+        self.expect(0, "run", self.study, "--out", other, "--set", f"/ice/thickness_m={thicker}",
+                    "--set", "/method={\"type\": \"list\"}")
+        diff = json.loads(self.expect(0, "diff", self.out, other, "--json").stdout)
+        changed = {d["at"]: d for d in diff["study"]}
+        self.assertEqual(changed["/ice/thickness_m"]["second"], thicker)
+        both = {d["first"]["design"]: d for d in diff["designs"]}
+        self.assertEqual(set(both), {"baseline", "Steep stem"})
+        self.assertGreater(both["baseline"]["ratio"], 1.0)  # thicker ice
+        self.assertIn("d001", diff["only_first"])
+        self.assertIn("only in", self.expect(0, "diff", self.out, other).stdout)
+        same = json.loads(self.expect(0, "diff", self.out, self.out, "--json").stdout)
+        self.assertEqual((same["study"], same["only_first"]), ([], []))
+        self.assertEqual({d["ratio"] for d in same["designs"] if d["ratio"]}, {1.0})
 
 
 if __name__ == "__main__":

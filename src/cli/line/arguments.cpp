@@ -20,12 +20,21 @@ const Option* find_option(const Command& command, const std::string& name) {
   return found == command.options.end() ? nullptr : &*found;
 }
 
+// Names of the words that stand for themselves.
+std::pair<std::string, std::string> positionals(const Command& command) {
+  const std::size_t space = command.positional.find(' ');
+  if (space == std::string::npos) return {command.positional, ""};
+  return {command.positional.substr(0, space), command.positional.substr(space + 1)};
+}
+
 // What CLI11 did not know what to do with.
 [[noreturn]] void refuse_surplus(const Command& command, const std::vector<std::string>& surplus) {
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const auto unknown = std::find_if(surplus.begin(), surplus.end(), is_option);
+  const bool two = command.positional.find(' ') != std::string::npos;
   if (unknown == surplus.end())
-    usage_error(command, "takes one " + command.positional + ", but " + surplus.front() + " is a second");
+    usage_error(command, "takes one " + command.positional + ", but " + surplus.front() + " is a " +
+                             (two ? "third word" : "second"));
   std::vector<std::string> known = {"--help"};
   for (const Option& option : command.options) known.push_back(option.name);
   const std::string name = unknown->substr(0, unknown->find('='));
@@ -44,7 +53,9 @@ const Option* find_option(const Command& command, const std::string& name) {
 }
 
 void check_complete(const Command& command, const Arguments& arguments) {
-  if (arguments.positional.empty()) usage_error(command, command.positional + " is missing");
+  const auto [first, second] = positionals(command);
+  if (arguments.positional.empty()) usage_error(command, first + " is missing");
+  if (!second.empty() && arguments.second.empty()) usage_error(command, second + " is missing");
   for (const Option& option : command.options) {
     if (arguments.values(option.name).size() > 1 && !option.repeats)
       usage_error(command, option.name + " is given twice");
@@ -84,7 +95,9 @@ Arguments parse_arguments(const Command& command, const std::vector<std::string>
   CLI::App parser;
   parser.set_help_flag();
   parser.allow_extras();
-  parser.add_option(command.positional, arguments.positional);
+  const auto [first, second] = positionals(command);
+  parser.add_option(first, arguments.positional);
+  if (!second.empty()) parser.add_option(second, arguments.second);
   for (const Option& option : command.options) {
     std::vector<std::string>& given = arguments.options[option.name];
     if (option.value.empty()) {

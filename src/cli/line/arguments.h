@@ -19,7 +19,8 @@ struct Option {
 
 class Arguments {
  public:
-  std::string positional;                                   // the study file or directory
+  std::string positional;  // the study file or directory
+  std::string second;      // "DIR DESIGN": the other word; empty where the command takes one
   std::map<std::string, std::vector<std::string>> options;  // all of the command's; empty where not given
   std::string command_line;                                 // as typed
 
@@ -31,7 +32,7 @@ class Arguments {
 
 struct Command {
   std::string name;
-  std::string positional;  // "STUDY" or "DIR"
+  std::string positional;  // "STUDY", "DIR", or two words: "DIR DESIGN"
   std::string summary;     // one line
   std::string details;     // for `icebow help NAME`; a line end begins a new paragraph
   std::string example;     // a call that works as it stands

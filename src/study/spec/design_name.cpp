@@ -27,6 +27,10 @@ bool is_design_name(const std::string& name) {
   });
 }
 
+bool is_numbered_name(const std::string& name) {
+  return name.size() > 1 && name[0] == 'd' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
 bool is_stored_name(const std::string& name) {
   return !name.empty() && name.size() <= most_bytes + most_added_bytes && name[0] != '.' &&
          name.find_first_of(std::string("/\n\t\0", 4)) == std::string::npos && printable(name) == name;

@@ -10,6 +10,9 @@ namespace icebow {
 // it.
 bool is_design_name(const std::string& name);
 
+// "d001" ...: the program's own names, of the points of a method.
+bool is_numbered_name(const std::string& name);
+
 // As a store may hold it, with what the program and other versions of it add: nothing that leads out of the
 // directory of designs, is hidden there, or commands a terminal.
 bool is_stored_name(const std::string& name);

@@ -12,9 +12,7 @@ namespace {
 
 // Names the program gives itself.
 bool is_reserved(const std::string& name) {
-  const bool numbered =
-      name.size() > 1 && name[0] == 'd' && name.find_first_not_of("0123456789", 1) == std::string::npos;
-  return name == "baseline" || numbered;
+  return name == "baseline" || is_numbered_name(name);
 }
 
 std::string parse_name(const Json& design, const std::string& at, Mistakes& mistakes) {

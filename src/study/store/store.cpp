@@ -350,6 +350,10 @@ void Store::add_to_study(const std::string& key) {
       .run();
 }
 
+int Store::designs() const {
+  return std::stoi(impl_->database.text_of("SELECT count(*) FROM study"));
+}
+
 void Store::set_fact(const std::string& name, const std::string& value) {
   Statement(impl_->database,
             "INSERT INTO facts (name, value, digest) VALUES (?, ?, ?) "

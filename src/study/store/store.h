@@ -57,6 +57,7 @@ class Store {
   // Keys of the present study, in its order. They need not have been evaluated yet.
   void begin_study(const std::vector<std::string>& keys);
   void add_to_study(const std::string& key);
+  int designs() const;  // how many keys the present study has so far
 
   // Study-level facts: "study" (the document), "command", "version", "host", "started", "seed" ...
   void set_fact(const std::string& name, const std::string& value);

@@ -80,6 +80,14 @@ StoreLock::~StoreLock() {
   ::close(file_);
 }
 
+bool is_locked(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool locked = lock_once(file) == EWOULDBLOCK;
+  ::close(file);
+  return locked;
+}
+
 bool on_network_file_system(const std::string& path) {
   // Magic numbers of statfs(2): NFS, SMB, CIFS, SMB2, Lustre, GPFS, BeeGFS, Ceph, 9P, AFS, FUSE (sshfs and
   // others).

@@ -19,6 +19,9 @@ class StoreLock {
   int file_ = -1;
 };
 
+// Whether a process holds that lock.
+bool is_locked(const std::string& path);
+
 // SQLite's WAL shares memory between processes, which a network file system cannot do.
 bool on_network_file_system(const std::string& path);
 

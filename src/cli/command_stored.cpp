@@ -1,0 +1,157 @@
+// `icebow status`, `show`, `export` and `diff`: a study directory read again.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <tuple>
+
+#include "base/errors.h"
+#include "base/json_fields.h"
+#include "cli/commands.h"
+#include "cli/text_table.h"
+#include "study/evaluate/evaluation.h"
+#include "study/evaluate/result_keys.h"
+#include "study/look/design_card.h"
+#include "study/look/study_diff.h"
+#include "study/look/study_status.h"
+#include "study/look/study_table.h"
+#include "study/spec/spec_hints.h"
+
+namespace icebow {
+namespace {
+
+int print_json(const Json& json) {
+  std::cout << json_text(json, 2) << "\n";
+  return exit_code::ok;
+}
+
+std::string words(const Json& json, const char* key) {
+  return json.at(key).is_string() ? json.at(key).get<std::string>() : "";
+}
+
+std::string newtons(const Json& value) {
+  return value.is_number() ? decimals(value.get<double>() / 1e3, 1) + " kN" : "-";
+}
+
+std::string status_text(const Json& s) {
+  const auto count = [&](const char* key) { return std::to_string(s.at(key).get<int>()); };
+  std::string text = words(s, "name") + ": " + words(s, "state") + "\n" + count("designs") + " designs";
+  if (s.at("may_follow") > 0) text += ", at most " + count("may_follow") + " more";
+  text += ": " + count("ok") + " ok, " + count("infeasible") + " infeasible, " + count("failed") + " failed";
+  if (s.at("damaged") > 0) text += ", " + count("damaged") + " damaged";
+  text += "\n";
+  for (const Json& name : s.at("running")) text += "under way: " + name.get<std::string>() + "\n";
+  if (s.at("best").is_string())
+    text += "best so far by " + words(s, "rank_by") + ": " + words(s, "best") + ", " +
+            newtons(s.at("value")) + "\n";
+  return text + "started " + words(s, "started") + " on " + words(s, "host") + " by icebow " +
+         words(s, "version") + "\n  " + words(s, "command") + "\n";
+}
+
+// A load with its interval, where the result has it.
+std::vector<std::string> load_row(const Json& result, const char* name, const char* load, const char* ci95) {
+  const double value = number_at(result, load), half = number_at(result, ci95);
+  return {name, decimals(value / 1e3, 1) + (std::isfinite(half) ? " \u00b1 " + decimals(half / 1e3, 1) : "") +
+                    " kN"};
+}
+
+std::string results_text(const Json& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [name, load, ci95] :
+       {std::tuple("mean load", result_key::mean_load, result_key::mean_load_ci95),
+        std::tuple("by the cycle", result_key::cycle_load, result_key::cycle_load_ci95),
+        std::tuple("Lindqvist, breaking", result_key::lindqvist_breaking, "/none"),
+        std::tuple("Lindqvist, total", result_key::lindqvist_total, "/none"),
+        std::tuple("largest load", result_key::max_load, "/none")})
+    if (std::isfinite(number_at(result, load))) rows.push_back(load_row(result, name, load, ci95));
+  return rows.empty() ? "" : "\n" + text_table(rows);
+}
+
+std::string card_text(const Json& card) {
+  std::string text = words(card, "design") + ": " + words(card, "status");
+  if (!words(card, "reason").empty()) text += ": " + words(card, "reason");
+  if (card.at("rank") > 0)
+    text += ", rank " + std::to_string(card.at("rank").get<int>()) + " of " +
+            std::to_string(card.at("designs").get<int>()) + " by " + words(card, "rank_by");
+  text += "\n";
+  for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
+  for (const auto& [pointer, value] : card.at("parameters").items())
+    text += "  " + pointer + " " + (value.is_number() ? brief(value.get<double>()) : "-") + "\n";
+  text += results_text(card.at("result"));
+  const std::string date = text_at(card, "/result/provenance/date_utc");
+  if (!date.empty())
+    text += "\nevaluated " + date + " on " + text_at(card, "/result/provenance/host") + " by icebow " +
+            text_at(card, "/result/provenance/version") + " in " +
+            clock_time(number_at(card, "/result/provenance/wall_s")) + "\n";
+  if (card.at("directory").is_string()) text += "files: " + words(card, "directory") + "\n";
+  if (!card.at("commands").is_object()) return text;
+  text += "again: " + words(card.at("commands"), "again") + "\n";
+  const std::string finer = words(card.at("commands"), "finer");
+  return text +
+         "finer: " + (finer.empty() ? "the lattice is as fine as the ice's virtual tests reach" : finer) +
+         "\n";
+}
+
+std::string value_text(const Json& value) {
+  return value.is_null() ? "-" : value.is_number() ? brief(value.get<double>()) : value.dump();
+}
+
+std::string names_text(const std::string& label, const Json& names) {
+  constexpr std::size_t most = 20;
+  if (names.empty()) return "";
+  std::string text = label + ":";
+  for (std::size_t k = 0; k < std::min(most, names.size()); ++k)
+    text += (k ? ", " : " ") + names[k].get<std::string>();
+  return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "") + "\n";
+}
+
+std::string diff_text(const Json& diff, const Arguments& arguments) {
+  std::vector<std::vector<std::string>> asked = {{"study file", arguments.positional, arguments.second}},
+                                        designs = {
+                                            {"design", "rank", "value", "other", "rank", "value", "ratio"}};
+  for (const Json& d : diff.at("study"))
+    asked.push_back({words(d, "at"), value_text(d.at("first")), value_text(d.at("second"))});
+  for (const Json& d : diff.at("designs")) {
+    const Json &a = d.at("first"), &b = d.at("second");
+    designs.push_back({words(a, "design"), value_text(a.at("rank")), value_text(a.at("value")),
+                       words(b, "design"), value_text(b.at("rank")), value_text(b.at("value")),
+                       d.at("ratio").is_number() ? decimals(d.at("ratio").get<double>(), 4) : "-"});
+  }
+  std::string text = asked.size() > 1 ? text_table(asked) + "\n" : "the same was asked of both\n\n";
+  text += designs.size() > 1 ? text_table(designs) : "no design is in both\n";
+  return text + names_text("only in " + arguments.positional, diff.at("only_first")) +
+         names_text("only in " + arguments.second, diff.at("only_second"));
+}
+
+}  // namespace
+
+int run_status(const Communicator&, const Arguments& arguments) {
+  const Json status = study_status(arguments.positional);
+  if (arguments.has("--json")) return print_json(status);
+  std::cout << status_text(status);
+  return exit_code::ok;
+}
+
+int run_show(const Communicator&, const Arguments& arguments) {
+  const Json card = design_card(arguments.positional, arguments.second);
+  if (arguments.has("--json")) return print_json(card);
+  std::cout << card_text(card);
+  return exit_code::ok;
+}
+
+int run_export(const Communicator&, const Arguments& arguments) {
+  if (arguments.has("--json") && arguments.has("--csv"))
+    throw InputError("icebow export: --csv and --json are given; keep one of them");
+  const Json table = study_table(arguments.positional);
+  if (arguments.has("--json")) return print_json(table);
+  std::cout << study_csv(table);
+  return exit_code::ok;
+}
+
+int run_diff(const Communicator&, const Arguments& arguments) {
+  const Json diff = study_diff(arguments.positional, arguments.second);
+  if (arguments.has("--json")) return print_json(diff);
+  std::cout << diff_text(diff, arguments);
+  return exit_code::ok;
+}
+
+}  // namespace icebow

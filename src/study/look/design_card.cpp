@@ -1,0 +1,110 @@
+#include "study/look/design_card.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "base/json_fields.h"
+#include "solver/tank/virtual_tests.h"
+#include "study/look/stored_design.h"
+#include "study/plan/ranking.h"
+#include "study/spec/read_study.h"
+#include "study/spec/spec_hints.h"
+#include "study/store/design_files.h"
+
+namespace icebow {
+namespace {
+
+// As a shell takes it for one word.
+std::string word(const std::string& text) {
+  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=@%,:";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// The lattice's next finer one: a layer more, or a spacing that is three quarters of the file's.
+std::string finer_lattice(const Json& document, const Case& c) {
+  const Json& solver = part_at(document, "/solver");
+  for (const char* key : {"spacing_m", "spacing_cm", "spacing_mm"})
+    if (solver.is_object() && solver.contains(key))
+      return std::string(" --set /solver/") + key + "=" + brief(0.75 * solver.at(key).get<double>());
+  const long layers = std::lround(c.ice.h / c.numerics.dx) + 1;
+  if (c.ice_model == IceModel::calibrated && layers > most_tested_layers) return "";
+  return " --set /solver/layers=" + std::to_string(layers);
+}
+
+std::string finer_cycle(const Case& c) {
+  return " --set /cycle/step=" + brief(c.cycle.step / 2) +
+         " --set /cycle/raster=" + brief(c.cycle.raster / 2) +
+         " --set /cycle/voyages=" + std::to_string(2 * c.cycle.voyages);
+}
+
+Json commands_for(const std::string& directory, const Design& design) {
+  const std::string rest = " " + word(directory) + " --design " + word(design.name);
+  const Case& c = *design.given;
+  if (design.asked.peridynamics) {
+    const std::string finer = finer_lattice(design.document, c);
+    return {
+        {"again", "icebow simulate" + rest + " --out again"},
+        {"finer", finer.empty() ? Json(nullptr) : Json("icebow simulate" + rest + finer + " --out finer")}};
+  }
+  if (design.asked.cycle)
+    return {{"again", "icebow cycle" + rest}, {"finer", "icebow cycle" + rest + finer_cycle(c)}};
+  return {{"again", "icebow resistance" + rest}, {"finer", "icebow cycle" + rest}};
+}
+
+void add_rank(Json& card, const Store& store, const std::string& name) {
+  const Ranking ranking = rank_designs(store.all(), store.fact("rank_by"));
+  int ranked = 0;
+  card["rank_by"] = ranking.rank_by, card["rank"] = 0, card["value"] = nullptr;
+  for (const RankedDesign& row : ranking.rows) {
+    ranked += row.rank > 0 ? 1 : 0;
+    if (row.evaluation.name != name || row.rank == 0) continue;
+    card["rank"] = row.rank, card["value"] = finite_or_null(row.value);
+  }
+  card["designs"] = ranked;
+}
+
+std::vector<std::string> notes_on(const StoredDesign& stored) {
+  std::vector<std::string> notes;
+  if (!stored.evaluation) notes.emplace_back("is planned, but has not been evaluated yet");
+  if (stored.evaluation && !stored.is_same)
+    notes.emplace_back(
+        "was evaluated by another version of the program, or before its study file was changed: this program "
+        "would evaluate it anew");
+  if (!stored.planned.design.given) notes.push_back(stored.planned.design.mistake);
+  return notes;
+}
+
+}  // namespace
+
+Json design_card(const std::string& directory, const std::string& name) {
+  const Store store = open_store_of(directory);
+  const StudySpec spec = read_study(document_of(store), store.fact("study_file"));
+  const auto stored = stored_design(spec, store, name);
+  if (!stored) {
+    std::vector<std::string> names;
+    for (const Evaluation& e : store.all()) names.push_back(e.name);
+    throw InputError(directory + ": has no design \"" + name + "\"" + did_you_mean(name, names) +
+                     "; `icebow rank " + directory + "` lists them");
+  }
+  const Evaluation& e = stored->evaluation ? *stored->evaluation : Evaluation();
+  const Design& design = stored->planned.design;
+  Json card = {{"design", name},
+               {"status", stored->evaluation ? to_string(e.status) : "planned"},
+               {"reason", e.reason},
+               {"parameters", parameters_json(design.parameters)},
+               {"key", stored->planned.key},
+               {"notes", notes_on(*stored)},
+               {"commands", design.given ? commands_for(directory, design) : Json(nullptr)},
+               {"document", design.document},
+               {"result", e.result}};
+  const std::string files = design_directory(directory, name);
+  card["directory"] = std::filesystem::is_directory(files) ? Json(files) : Json(nullptr);
+  add_rank(card, store, name);
+  return card;
+}
+
+}  // namespace icebow
