@@ -11,6 +11,7 @@
 #include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
+#include "study/run/race_loop.h"
 #include "study/spec/read_study.h"
 #include "study/store/store.h"
 
@@ -118,6 +119,7 @@ StudyResults read_study_results(const std::string& directory) {
   study.file = store.fact("study_file");
   study.seed = seed(study.document, store);
   study.ranking = rank_designs(evaluations, rank_by(store));
+  study.ranking.race = read_race(store);
   count_statuses(study, evaluations);
   add_runs(study, evaluations);
   add_plan(study, evaluations);

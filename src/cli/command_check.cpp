@@ -156,6 +156,17 @@ bool nothing_is_feasible(const StudySpec& spec, const StudyPlan& plan, const Fea
   return nothing_feasible(spec, expected);
 }
 
+std::string decide_lines(const StudySpec& spec) {
+  if (!spec.decide.given) return "";
+  std::string text = "then a race: voyages are sailed on until the design that leads is at most " +
+                     brief(100.0 * spec.decide.best_within) +
+                     " % above the lowest mean load, at a confidence of " +
+                     brief(100.0 * spec.decide.confidence) + " %";
+  if (spec.decide.budget_core_hours > 0.0)
+    text += ", or until " + brief(spec.decide.budget_core_hours) + " core hours are spent";
+  return text + "\n";
+}
+
 }  // namespace
 
 int run_check(const Communicator&, const Arguments& arguments) {
@@ -171,6 +182,7 @@ int run_check(const Communicator&, const Arguments& arguments) {
   if (spec.confirm.given())
     text += "then the best " + std::to_string(spec.confirm.best) + " and " +
             std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
+  text += decide_lines(spec);
   if (spec.use_peridynamics || spec.confirm.given()) text += size_line(spec.baseline);
   std::cout << text;
   if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;

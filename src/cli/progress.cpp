@@ -115,6 +115,10 @@ void ProgressDisplay::on_finished(const Evaluation& e, bool recalled) {
   announce(count + e.name + "  " + words + (recalled ? "  (stored)" : "  " + clock_time(e.wall_seconds)));
 }
 
+void ProgressDisplay::on_leg(const RaceRecord& record) {
+  announce("race: " + race_in_words(record));
+}
+
 void ProgressDisplay::on_study_finished(const StudyOutcome&) {
   erase_bars();
 }

@@ -52,6 +52,7 @@ class ProgressDisplay : public StudyObserver {
   void on_progress(const std::string& design, const Progress& progress) override;
   void on_finished(const Evaluation& evaluation, bool recalled) override;
   void on_waiting(const std::string& words) override { announce(words); }
+  void on_leg(const RaceRecord& record) override;
   void on_study_finished(const StudyOutcome& outcome) override;
   void announce(const std::string& line);  // scrolls by above the bars
 

@@ -9,6 +9,7 @@
 #include "cli/text_table.h"
 #include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
+#include "study/run/race_loop.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
@@ -81,7 +82,9 @@ std::vector<std::vector<std::string>> without_empty_columns(
   return kept;
 }
 
-std::string tie(const RankedDesign& row) {
+std::string tie(const RankedDesign& row, const RaceRecord& race) {
+  const std::string place = place_in_race(race, row.evaluation.name);
+  if (!place.empty()) return place;
   if (row.tied_with_best && row.rank > 1) return "with the best";
   return row.tied_with_next ? "with the next" : "";
 }
@@ -105,13 +108,16 @@ std::string cautions(const Ranking& ranking) {
 Ranking read_ranking(const std::string& directory) {
   const Store store = open_store_of(directory);
   const std::string by = store.fact("rank_by");
-  return rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
+  Ranking ranking = rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
+  ranking.race = read_race(store);
+  return ranking;
 }
 
 std::string ranking_text(const Ranking& ranking) {
   const bool confirmed = ranking.confirmed.designs > 0;
-  std::vector<std::vector<std::string>> rows = {
-      {"design", "rank", "mean load, kN", "Lindqvist " + compared_part(ranking) + ", kN", "ratio", "tied"}};
+  std::vector<std::vector<std::string>> rows = {{"design", "rank", "mean load, kN",
+                                                 "Lindqvist " + compared_part(ranking) + ", kN", "ratio",
+                                                 ranking.race.given() ? "race" : "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
   const std::vector<std::string> pointers = varied(ranking);
   std::vector<std::string> names;
@@ -125,7 +131,7 @@ std::string ranking_text(const Ranking& ranking) {
       continue;
     }
     rows.push_back({e.name, std::to_string(row.rank), interval(row), kilonewtons(row.lindqvist),
-                    decimals(row.ratio, 2), tie(row)});
+                    decimals(row.ratio, 2), tie(row, ranking.race)});
     if (confirmed)
       rows.back().insert(
           rows.back().begin() + 3,
@@ -133,8 +139,9 @@ std::string ranking_text(const Ranking& ranking) {
     const std::vector<std::string> cells = parameter_cells(e, pointers);
     rows.back().insert(rows.back().begin() + 1, cells.begin(), cells.end());
   }
-  std::string text = confirmation_text(ranking) + "ranked by " + ranking.rank_by +
-                     ", full scale, \u00b1 95 % interval of the mean\n\n" +
+  const std::string race = race_in_words(ranking.race);
+  std::string text = (race.empty() ? "" : race + "\n\n") + confirmation_text(ranking) + "ranked by " +
+                     ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
                      text_table(without_empty_columns(rows));
   const std::string process = process_table(ranking);
   if (!process.empty())

@@ -27,7 +27,7 @@ CONDITIONS = {"bow": [
     "ice": [{"key": "model", "is": "paper", "then": ([], []),
              "else": ([], ["fracture_toughness", "critical_stretch"])}]}
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
-SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "ranking", "execution"]
+SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
                "latin_hypercube": ["variables", "samples", "seed", "extends"],
                "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
@@ -181,7 +181,7 @@ def pretty(value, indent=""):
 
 def key_table(table):
     lines = [BEGIN, ""]
-    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "method", "confirm", "ranking", "execution"]:
+    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "method", "confirm", "decide", "ranking", "execution"]:
         lines += [f"### {'Top level' if not section else '`' + section + '`'}", "",
                   "| key | allowed | default | meaning |", "|---|---|---|---|"]
         for k in (k for k in table["keys"] if k["section"] == section):

@@ -13,6 +13,10 @@ double quantile_975(double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 0.975);
 }
 
+double quantile_above(double degrees_of_freedom, double level) {
+  return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees_of_freedom), level));
+}
+
 // Of a sum of two squared errors; an exact one has no part in it.
 double joint_degrees_of_freedom(const MeanEstimate& a, const MeanEstimate& b) {
   const double va = a.standard_error * a.standard_error, vb = b.standard_error * b.standard_error;
@@ -45,6 +49,13 @@ MeanDifference mean_difference(const MeanEstimate& a, const MeanEstimate& b) {
   result.ci95 = boost::math::quantile(t, 0.975) * error;
   result.p = 2.0 * boost::math::cdf(boost::math::complement(t, std::fabs(result.difference) / error));
   return result;
+}
+
+double most_difference(const MeanEstimate& a, const MeanEstimate& b, double level) {
+  const double error = std::hypot(a.standard_error, b.standard_error), difference = b.mean - a.mean;
+  if (!std::isfinite(error)) return infinite;
+  if (error == 0.0) return difference;
+  return difference + quantile_above(joint_degrees_of_freedom(a, b), level) * error;
 }
 
 }  // namespace icebow

@@ -25,6 +25,10 @@ struct MeanDifference {
 // Unequal variances, Welch's and Satterthwaite's degrees of freedom.
 MeanDifference mean_difference(const MeanEstimate& a, const MeanEstimate& b);
 
+// One-sided: b - a is not larger than this [N], but with a probability of `level`. Infinite where an error is
+// not known.
+double most_difference(const MeanEstimate& a, const MeanEstimate& b, double level);
+
 constexpr double told_apart_below = 0.05;  // of p
 
 }  // namespace icebow

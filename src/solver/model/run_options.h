@@ -41,6 +41,9 @@ struct RunOptions {
   // left to the caller, whose results may still have to be written.
   std::string checkpoint_file;
   bool keep_checkpoint = false;
+  // Leave one of its end, from which the same run with a longer advance goes on bit for bit; in a moving
+  // window, whose ice does not depend on the voyage's length. Implies keep_checkpoint.
+  bool to_be_sailed_on = false;
   double checkpoint_every_s = 300.0;  // wall time between two; 0 = only when the run is interrupted
   Resume resume = Resume::always;
   std::function<void(std::int64_t step)> on_resume;       // called on the root where the run goes on from one

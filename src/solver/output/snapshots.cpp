@@ -44,6 +44,19 @@ void Snapshots::restore(const Json& record) {
       throw RuntimeError("its list of pictures names another directory");
 }
 
+void Snapshots::go_on(double advance) {
+  const auto left = [&](int written, int count) {
+    int n = 0;
+    while (n < written && due(n, count, advance, scenario_.advance)) ++n;
+    return static_cast<std::size_t>(n);
+  };
+  snapshots_ = static_cast<int>(left(snapshots_, options_.snapshots));
+  ice_steps_.resize(std::min(ice_steps_.size(), static_cast<std::size_t>(snapshots_)));
+  hull_steps_.resize(std::min(hull_steps_.size(), static_cast<std::size_t>(snapshots_)));
+  pictures_.resize(left(static_cast<int>(pictures_.size()), options_.pictures));
+  picture_advance_.resize(pictures_.size());
+}
+
 bool Snapshots::write_due(const Stepper& stepper, double advance) {
   if (options_.directory.empty()) return false;
   const bool paraview = due(snapshots_, options_.snapshots, advance, scenario_.advance);

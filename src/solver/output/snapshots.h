@@ -30,6 +30,9 @@ class Snapshots {
   // What was written so far, as a checkpoint keeps it.
   Json record() const;
   void restore(const Json& record);
+  // A run that is sailed on has its moments farther apart: what was written beyond those that are due at this
+  // advance is forgotten, and its files are written over.
+  void go_on(double advance);
 
  private:
   void write_paraview(const Stepper& stepper);

@@ -66,7 +66,9 @@ std::map<std::string, std::string> values_of(const std::string& text) {
 
 std::string case_text(const QuadMesh& hull, const Scenario& scenario, const RunOptions& options) {
   DescribedText<Spelling> words;
-  describe(words, scenario);
+  Scenario shared = scenario;
+  if (scenario.sheet.window_ahead > 0.0) shared.advance = 0.0;
+  describe(words, shared);
   describe_output(words, options.seed, options.snapshots, options.pictures, options.snapshot_format);
   words.field("hull", hull_checksum(hull));
   return words.str();

@@ -10,7 +10,8 @@
 namespace icebow {
 
 // One "name = value" a line, numbers exact, the hull as a checksum of its points and quads. Not in it: what
-// the result does not depend on (the rank grid).
+// the result does not depend on (the rank grid), and how far a moving window sails, since its ice is the same
+// whatever the voyage's end: a run can be sailed on.
 std::string case_text(const QuadMesh& hull, const Scenario& scenario, const RunOptions& options);
 
 // The first line in which two of them differ, in words: "ice.h = 0.04 there, 0.05 here"; empty where they

@@ -12,6 +12,7 @@
 #include "base/json.h"
 #include "base/parallel_file.h"
 #include "base/printable.h"
+#include "base/text.h"
 #include "solver/model/describe_history.h"
 #include "solver/run/case_text.h"
 #include "solver/run/sheet_file.h"
@@ -19,7 +20,7 @@
 namespace icebow {
 namespace {
 
-constexpr int format_version = 4;
+constexpr int format_version = 5;
 
 // The doubles and the integers of a row, each in a list of its own.
 struct RowWriter {
@@ -140,7 +141,7 @@ void save_checkpoint(const Communicator& comm, const std::string& path, const st
 }
 
 std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
-                              int precision, bool* damaged) {
+                              int precision, std::int64_t last_step, bool* damaged) {
   if (damaged) *damaged = false;
   try {
     ParallelFile file = ParallelFile::open(comm, path);
@@ -149,6 +150,10 @@ std::string why_not_resumable(const Communicator& comm, const std::string& path,
     const std::string difference = case_difference(file.read_text("case"), case_text);
     if (!difference.empty()) return "is of another run: " + difference;
     if (run.at("precision_bytes") != precision) return "was computed in another floating-point precision";
+    if (run.at("steps").get<std::int64_t>() > last_step)
+      return text("is of a longer voyage: %lld steps there, %lld here",
+                  static_cast<long long>(run.at("steps").get<std::int64_t>()),
+                  static_cast<long long>(last_step));
   } catch (const std::exception& error) {  // the same on every rank: all have read the same
     if (damaged) *damaged = true;
     return std::string("is not a whole checkpoint (") + error.what() + ")";
@@ -226,12 +231,12 @@ bool Checkpoints::there() const {
   return comm_.any(comm_.is_root() && std::filesystem::exists(options_.checkpoint_file));
 }
 
-void Checkpoints::resume(RunState& run) {
+void Checkpoints::resume(RunState& run, std::int64_t last_step) {
   const std::string& path = options_.checkpoint_file;
   if (path.empty() || options_.resume == Resume::never || !there()) return;
   bool damaged = false;
   const std::string reason =
-      why_not_resumable(comm_, path, case_, precision_of(run.stepper.sheet()), &damaged);
+      why_not_resumable(comm_, path, case_, precision_of(run.stepper.sheet()), last_step, &damaged);
   if (!reason.empty()) {
     if (options_.resume == Resume::if_usable) return damaged ? set_aside(reason) : void();
     throw RuntimeError(path + " " + reason +

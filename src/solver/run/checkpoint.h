@@ -8,6 +8,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "base/communicator.h"
@@ -40,10 +41,10 @@ class DamagedCheckpoint : public RuntimeError {
   using RuntimeError::RuntimeError;
 };
 
-// Collective. Empty where the file is a checkpoint of this case, else in words why it is not; throws nothing.
-// `damaged` tells one that is no whole checkpoint from one of another run.
+// Collective. Empty where the file is a checkpoint of this case not beyond `last_step`, else in words why it
+// is not; throws nothing. `damaged` tells one that is no whole checkpoint from one of another run.
 std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
-                              int precision, bool* damaged = nullptr);
+                              int precision, std::int64_t last_step, bool* damaged = nullptr);
 
 // Collective, into a run that has not begun, which is of no use any more where this throws DamagedCheckpoint.
 void load_checkpoint(const Communicator& comm, const std::string& path, RunState& run);
@@ -57,10 +58,11 @@ class Checkpoints {
   Checkpoints(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,
               const RunOptions& options);
 
-  // Collective: goes on from the checkpoint there is, if there is one and that is wanted. Throws RuntimeError
+  // Collective: goes on from the checkpoint there is, if there is one and that is wanted; `last_step` is that
+  // of the run as it is asked for now. Throws RuntimeError
   // where it is refused. A damaged one is set aside where a run may start anew (Resume::if_usable); where
   // parts of it have been read by then DamagedCheckpoint is thrown, and the run has to be made anew.
-  void resume(RunState& run);
+  void resume(RunState& run, std::int64_t last_step);
   // Collective, after a sample: writes where one is due by the root's clock, or where the run stops now.
   void write_due(const RunState& run, bool stopping);
   void remove();  // the run has come to its end

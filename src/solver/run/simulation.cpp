@@ -191,7 +191,8 @@ class Loop {
 
     RunState state{stepper, recorder, snapshots, process};
     Checkpoints checkpoints(comm_, hull_, s_, options_);
-    checkpoints.resume(state);
+    checkpoints.resume(state, result_.steps);
+    snapshots.go_on(s_.V * stepper.time());
     const std::int64_t first_step = stepper.steps();
     stepper.timer().start();
     last_report_ = Clock::now();
@@ -214,7 +215,7 @@ class Loop {
       stepper.timer().lap(Phase::output);
       const bool stop = report(stepper, recorder.history());
       state.wall_seconds = seconds_since(start_);
-      checkpoints.write_due(state, stop);
+      checkpoints.write_due(state, stop || is_last_sample(stepper, recorder));
       stepper.timer().lap(Phase::checkpoint);
       result_.output_seconds += seconds_since(sampled);
       if (stop) {
@@ -235,7 +236,8 @@ class Loop {
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
       snapshots.write_due(stepper, s_.advance);
-    if (result_.status != RunStatus::interrupted && !options_.keep_checkpoint) checkpoints.remove();
+    const bool keep = options_.keep_checkpoint || options_.to_be_sailed_on;
+    if (result_.status != RunStatus::interrupted && !keep) checkpoints.remove();
     result_.steps = stepper.steps();
     result_.history = recorder.history();
     result_.pictures = snapshots.pictures();
@@ -248,6 +250,11 @@ class Loop {
   }
 
  private:
+  // Where the state is kept for a longer voyage: at a sample, so that the longer one has the same samples.
+  bool is_last_sample(const Stepper& stepper, const Recorder& recorder) const {
+    return options_.to_be_sailed_on && stepper.steps() + recorder.steps_per_sample() > result_.steps;
+  }
+
   double ns_per_bond(std::int64_t steps, double seconds) const {
     return steps ? 1e9 * seconds / (double(steps) * double(result_.directed_bonds)) : 0.0;
   }

@@ -12,7 +12,8 @@ namespace icebow {
 namespace {
 
 // The part of the hull that can meet ice: from a little above the sheet (pieces ride up) down to the keel,
-// and as far aft as the sheet's near edge will be at the end of the run.
+// and as far aft as the sheet's near edge will be at the end of the run; a moving window's edge stays where
+// it is, however far the run is sailed on.
 Box contact_region(const QuadMesh& hull, const Scenario& s, const Lattice& lattice, double start_x) {
   const Box box = bounding_box(hull);
   const double beam = box.upper.y() - box.lower.y(), margin = 10.0 * lattice.dx;
@@ -20,9 +21,8 @@ Box contact_region(const QuadMesh& hull, const Scenario& s, const Lattice& latti
   region.lower -= Vec3::Constant(margin);
   region.upper += Vec3::Constant(margin);
   // How far aft of the stem there can be ice.
-  const double astern = s.sheet.window_ahead > 0.0
-                            ? std::min(s.advance, s.sheet.length - s.sheet.window_ahead) + block * lattice.dx
-                            : s.advance;
+  const double astern =
+      s.sheet.window_ahead > 0.0 ? s.sheet.length - s.sheet.window_ahead + block * lattice.dx : s.advance;
   region.lower.x() = std::max(region.lower.x(), -start_x - astern - 0.5 * beam);
   region.upper.z() = std::min(region.upper.z(), lattice.z(lattice.nz - 1) + 5.0 * s.ice.h);
   return region;

@@ -32,6 +32,12 @@ Design read_design(const std::string& name, Json document, std::map<std::string,
   return design;
 }
 
+Design sailed_to(Design design, double advance) {
+  design.sail_to = advance;
+  if (design.given) design.given->advance = advance;
+  return design;
+}
+
 Json parameters_json(const std::map<std::string, double>& parameters) {
   Json json = Json::object();
   for (const auto& [pointer, value] : parameters) json[pointer] = finite_or_null(value);
@@ -45,14 +51,17 @@ std::map<std::string, double> parameters_from_json(const Json& json) {
 }
 
 Json to_json(const Design& design) {
-  return {{"name", design.name},
-          {"parameters", parameters_json(design.parameters)},
-          {"document", design.document}};
+  Json json = {{"name", design.name},
+               {"parameters", parameters_json(design.parameters)},
+               {"document", design.document}};
+  if (design.sail_to > 0.0) json["sail_to_m"] = design.sail_to;
+  return json;
 }
 
 Design design_from_json(const Json& json) {
-  return read_design(json.at("name").get<std::string>(), json.at("document"),
-                     parameters_from_json(json.at("parameters")));
+  Design design = read_design(json.at("name").get<std::string>(), json.at("document"),
+                              parameters_from_json(json.at("parameters")));
+  return json.contains("sail_to_m") ? sailed_to(std::move(design), json.at("sail_to_m")) : design;
 }
 
 }  // namespace icebow

@@ -172,6 +172,7 @@ RunOptions run_options(Work& work) {
   options.stop = work.options.stop;
   if (work.writes()) options.checkpoint_file = work.path(checkpoint_name);
   options.keep_checkpoint = true;
+  options.to_be_sailed_on = work.design.sail_to > 0.0;
   options.checkpoint_every_s = work.options.checkpoint_every_s;
   options.resume = work.options.resume;
   options.on_resume = work.options.on_resume;
@@ -273,6 +274,7 @@ Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
                             {"date_utc", utc_now()},
                             {"ranks", work.comm.size()},
                             {"wall_s", seconds}};
+  if (work.design.sail_to > 0.0) e.result["sailed_to_m"] = work.design.sail_to;
   if (!work.notes.empty()) e.result["notes"] = work.notes;
   for (const char* part : {"hull", "lindqvist", "cycle", "metrics", "process", "simulation", "profile"}) {
     if (!e.result.contains(part)) e.result[part] = nullptr;
@@ -280,7 +282,8 @@ Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
   if (work.writes() && e.status != EvaluationStatus::running) {
     act_on_root(work.comm, [&] {
       write_text_file(work.path("result.json"), json_text(e.result, 2) + "\n");
-      if (!work.options.keep_checkpoint) remove_checkpoint_in(work.options.directory);
+      if (!work.options.keep_checkpoint && work.design.sail_to == 0.0)
+        remove_checkpoint_in(work.options.directory);
     });
   }
   return e;

@@ -113,6 +113,9 @@ constexpr const char* bond_modulus = "/simulation/elastic_modulus_Pa";
 constexpr const char* lambda = "/simulation/lambda";
 constexpr const char* ns_per_bond = "/simulation/ns_per_bond";
 constexpr const char* ranks = "/provenance/ranks";
+constexpr const char* simulation_seconds = "/simulation/wall_s";
+constexpr const char* sailed_to = "/sailed_to_m";        // of a voyage in a race only
+constexpr const char* sailing_ended = "/sailing_ended";  // why such a voyage cannot be sailed on, in words
 constexpr const char* pictures = "/files/pictures";
 constexpr const char* process = "/process";
 constexpr const char* sheet_thickness = "/process/thickness_m";
@@ -203,6 +206,7 @@ constexpr const char* of_every_run[] = {beam,
                                         lambda,
                                         ns_per_bond,
                                         ranks,
+                                        simulation_seconds,
                                         pictures,
                                         process,
                                         sheet_thickness,

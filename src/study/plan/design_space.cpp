@@ -37,15 +37,23 @@ std::map<std::string, double> parameters_of(const StudySpec& spec, const Json& d
   return parameters;
 }
 
-PlannedDesign with_key(Design design) {
-  const std::string key = design.given ? evaluation_key(*design.given, design.asked)
-                                       : sha256("rejected by the reader\n" + json_text(design.document));
-  return {std::move(design), key};
+// A design of a race goes by its first leg.
+PlannedDesign with_key(const StudySpec& spec, Design design) {
+  if (!design.given) {
+    const std::string key = sha256("rejected by the reader\n" + json_text(design.document));
+    return {std::move(design), key, ""};
+  }
+  const std::string one_leg = evaluation_key(*design.given, design.asked);
+  if (!design.asked.peridynamics) return {std::move(design), one_leg, ""};
+  const std::string sailed_on = sha256("sailed on\n" + one_leg);
+  if (!spec.decide.given) return {std::move(design), one_leg, sailed_on};
+  const double first_leg = design.given->advance;
+  return {sailed_to(std::move(design), first_leg), sailed_on, one_leg};
 }
 
 PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
   std::map<std::string, double> parameters = parameters_of(spec, document);
-  return with_key(read_design(name, std::move(document), std::move(parameters)));
+  return with_key(spec, read_design(name, std::move(document), std::move(parameters)));
 }
 
 PlannedDesign swept(const StudySpec& spec, const std::string& name, Json document) {
@@ -169,7 +177,7 @@ StudyPlan plan_study(const StudySpec& spec) {
   for (std::string& note : notes_on_ranges(spec)) plan.plan.notes.push_back(std::move(note));
   const Json own = document_of_one(spec);
   if (spec.include_baseline)
-    plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(baseline_of(spec)));
+    plan.add(spec.confirm.given() ? swept(spec, "baseline", own) : with_key(spec, baseline_of(spec)));
   for (const NamedDesign& named : spec.designs) {
     Json document = own;
     document.merge_patch(named.set);

@@ -11,7 +11,9 @@ namespace icebow {
 
 struct PlannedDesign {
   Design design;
-  std::string key;  // see evaluation_key()
+  std::string key;  // see evaluation_key(); of a voyage that may be sailed on the same however far it went
+  // The key of the same first leg of the other kind (sailed on, or not), whose result serves as well.
+  std::string other_key;
 };
 
 // What is known before anything runs. An optimiser proposes the rest as it goes.

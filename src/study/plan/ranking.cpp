@@ -371,6 +371,7 @@ Json to_json(const Ranking& ranking) {
   }
   return {{"rank_by", ranking.rank_by},
           {"designs", designs},
+          {"race", to_json(ranking.race)},
           {"warnings", ranking.warnings},
           {"disagreements", ranking.disagreements},
           {"confirmed", confirmed_json(ranking.confirmed)},

@@ -8,6 +8,7 @@
 #include "solver/model/mean_difference.h"
 #include "study/evaluate/evaluation.h"
 #include "study/plan/confirmation.h"
+#include "study/plan/race_record.h"
 #include "study/spec/study_spec.h"
 
 namespace icebow {
@@ -52,6 +53,7 @@ struct Ranking {
   std::vector<std::string> disagreements;  // of simulation and cycle; sentences
   // Where differences between designs are smaller than their intervals or the resolution bias; sentences.
   std::vector<std::string> warnings;
+  RaceRecord race;  // of a study that decides; else none
 };
 
 // What a study ranks by: "mean_load" [N], "mean_load_per_beam" [N/m], "cycle_load" [N],
@@ -82,7 +84,8 @@ std::string compared_part(const Ranking& ranking);
 
 // Full-scale values in N; the keys of `icebow rank --json`: design, status, reason, parameters, mean_load_N,
 // mean_load_ci95_N, runs, ci95_series_N, ci95_repeats_N, lindqvist_breaking_N, lindqvist_N and lindqvist_part
-// (what ratio compares with), ratio, rank, tied_with_next, tied_with_best; and "warnings". NaN becomes null.
+// (what ratio compares with), ratio, rank, tied_with_next, tied_with_best; and "race" (null where there was
+// none) and "warnings". NaN becomes null.
 Json to_json(const Ranking& ranking);
 
 }  // namespace icebow

@@ -9,13 +9,17 @@
 #include <optional>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "base/text.h"
 #include "study/evaluate/calibration.h"
+#include "study/evaluate/result_keys.h"
 #include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
 #include "study/plan/repeats.h"
 #include "study/plan/variable_ranges.h"
+#include "study/run/crash_mark.h"
 #include "study/run/failure.h"
+#include "study/run/race_loop.h"
 #include "study/run/runner.h"
 #include "study/run/study_directory.h"
 #include "study/spec/case_hull.h"
@@ -40,6 +44,7 @@ class StudyLoop {
   void run_plan(const StudyPlan& plan);
   void run_optimiser();
   void confirm();
+  void race(const std::vector<PlannedDesign>& designs);
   double value_at(const std::vector<double>& x);
   std::vector<double> margins_at(const std::vector<double>& x);
   const std::vector<PlannedDesign>& proposed(const std::vector<double>& x);
@@ -47,10 +52,14 @@ class StudyLoop {
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
   bool fails_again(const Evaluation& stored);
+  void adopt(const PlannedDesign& planned);
+  bool is_far_enough(const PlannedDesign& planned, Evaluation& stored);
   bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
   void start(const PlannedDesign& planned);
+  void mark_as_running(const PlannedDesign& planned, const std::optional<Evaluation>& stored);
   void finish(std::vector<Evaluation> ended);
   void keep(Evaluation& evaluation);
+  void end_sailing(Evaluation& stored, const std::string& reason);
   void told(const Evaluation& evaluation);
   void report(const Evaluation& evaluation, bool recalled);
   void abandon();
@@ -79,6 +88,7 @@ StudyOutcome StudyLoop::run(std::vector<std::string> notes) {
     run_plan(plan);
     if (spec_.method.type == MethodType::optimise) run_optimiser();
     if (spec_.confirm.given()) confirm();
+    if (spec_.decide.given) race(plan.designs);
   } catch (const Interrupted&) {
     abandon();
     outcome_.interrupted = true;
@@ -105,6 +115,7 @@ void StudyLoop::run_plan(const StudyPlan& plan) {
   for (const PlannedDesign& planned : plan.designs) keys.push_back(planned.key);
   if (settings_.retry_failed) store_.remove_damaged();
   store_.begin_study(keys);
+  if (!spec_.decide.given) forget_race(store_);
   observer_.on_planned(plan);
   test_lattices(simulated_cases(plan));
   evaluate_all(plan.designs);
@@ -141,6 +152,19 @@ void StudyLoop::confirm() {
   plan.designs = runs;
   test_lattices(simulated_cases(plan));
   evaluate_all(runs);
+}
+
+// What is decided needs no state any more; a rule that is made sharper later sails those voyages anew, to the
+// same records.
+void StudyLoop::race(const std::vector<PlannedDesign>& designs) {
+  RaceHooks hooks;
+  hooks.sail = [this](const std::vector<PlannedDesign>& voyages) { evaluate_all(voyages); };
+  hooks.told = [this](const RaceRecord& record) { observer_.on_leg(record); };
+  const RaceRecord record = run_race(spec_, store_, designs, hooks);
+  if (record.given()) outcome_.notes.push_back(race_in_words(record));
+  if (record.state != RaceState::decided) return;
+  for (const PlannedDesign& planned : designs)
+    remove_checkpoint_in(design_directory(settings_.directory, planned.design.name));
 }
 
 // A proposed point's runs. The optimiser asks for the margins and for the value of a point, one after the
@@ -190,8 +214,45 @@ void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
   }
 }
 
+// The first leg of a voyage is the same whether the study sails on or not.
+void StudyLoop::adopt(const PlannedDesign& planned) {
+  if (planned.other_key.empty() || store_.find(planned.key)) return;
+  std::optional<Evaluation> other = store_.find(planned.other_key);
+  if (!other || other->status != EvaluationStatus::ok) return;
+  const double first_leg = planned.design.given->advance;
+  const bool races = planned.design.sail_to > 0.0;
+  if (!races && number_at(other->result, result_key::sailed_to) != first_leg) return;
+  other->key = planned.key;
+  if (races) other->result["sailed_to_m"] = first_leg;
+  if (!races) other->result.erase("sailed_to_m");
+  store_.together([&] {
+    store_.remove(planned.other_key);
+    store_.put(*other);
+  });
+}
+
+// A voyage whose record is there, but shorter than it is to be, is sailed on.
+bool StudyLoop::is_far_enough(const PlannedDesign& planned, Evaluation& stored) {
+  if (planned.design.sail_to == 0.0 || stored.status != EvaluationStatus::ok) return true;
+  const double sailed = number_at(stored.result, result_key::sailed_to);
+  if (!(sailed < planned.design.sail_to)) return true;
+  if (settings_.retry_failed) stored.result.erase("sailing_ended");
+  if (!text_at(stored.result, result_key::sailing_ended).empty()) return true;
+  const std::string crash = crash_mark_in(design_directory(settings_.directory, stored.name));
+  if (!crash.empty()) end_sailing(stored, "the program was lost by " + crash);
+  return !crash.empty();
+}
+
+// What has been sailed stands.
+void StudyLoop::end_sailing(Evaluation& stored, const std::string& reason) {
+  stored.result["sailing_ended"] = reason;
+  outcome_.notes.push_back(stored.name + ": cannot be sailed on: " + reason +
+                           "; what it has sailed stands (--retry-failed tries it again)");
+}
+
 // Whether there is nothing to evaluate.
 bool StudyLoop::recall(const PlannedDesign& planned) {
+  adopt(planned);
   std::optional<Evaluation> stored =
       settle_name(store_, settings_.directory, planned.design.name, planned.key);
   if (!planned.design.given) {
@@ -218,6 +279,7 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
     return false;
   }
   if (stored->status == EvaluationStatus::damaged) return recall_damaged(planned, *stored);
+  if (!is_far_enough(planned, *stored)) return false;
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
   complete_result(*stored, settings_.directory, !planned.design.asked.formula_alone());
@@ -244,27 +306,27 @@ bool StudyLoop::recall_damaged(const PlannedDesign& planned, const Evaluation& s
   return true;
 }
 
-// A design of the formula alone is over in a millisecond: it has no mark and no files.
+// A design of the formula alone is over in a millisecond: it has no mark and no files. A voyage that is
+// sailed on keeps its record until the longer one is there.
 void StudyLoop::start(const PlannedDesign& planned) {
-  if (planned.design.asked.formula_alone()) {
-    under_way_[planned.design.name] = planned;
-    observer_.on_started(planned.design);
-    runner_.start(planned);
-    return;
-  }
+  const auto stored = store_.find(planned.key);
+  const bool sails_on = stored && stored->status == EvaluationStatus::ok;
+  if (!planned.design.asked.formula_alone() && !sails_on) mark_as_running(planned, stored);
+  under_way_[planned.design.name] = planned;
+  observer_.on_started(planned.design);
+  runner_.start(planned);
+}
+
+void StudyLoop::mark_as_running(const PlannedDesign& planned, const std::optional<Evaluation>& stored) {
   Evaluation mark;
   mark.key = planned.key;
   mark.name = planned.design.name;
   mark.status = EvaluationStatus::running;
   mark.parameters = planned.design.parameters;
-  const auto stored = store_.find(planned.key);
   const bool under_way = stored && stored->status == EvaluationStatus::running;
   mark.result = to_json(under_way ? crashes_of(*stored, settings_.directory) : Crashes());
   store_.put(mark);
   clear_design_directory(settings_.directory, planned.design.name);
-  under_way_[planned.design.name] = planned;
-  observer_.on_started(planned.design);
-  runner_.start(planned);
 }
 
 // What ended together is stored by one commit; a checkpoint goes when its result is safe.
@@ -284,6 +346,13 @@ void StudyLoop::finish(std::vector<Evaluation> ended) {
 
 void StudyLoop::keep(Evaluation& evaluation) {
   const PlannedDesign& planned = under_way_.at(evaluation.name);
+  std::optional<Evaluation> before;
+  if (planned.design.sail_to > 0.0 && evaluation.status != EvaluationStatus::ok)
+    before = store_.find(planned.key);
+  if (before && before->status == EvaluationStatus::ok) {
+    end_sailing(*before, evaluation.reason);
+    evaluation = *before;
+  }
   evaluation.key = planned.key;
   evaluation.parameters = planned.design.parameters;
   complete_result(evaluation, settings_.directory, !planned.design.asked.formula_alone());
@@ -291,7 +360,8 @@ void StudyLoop::keep(Evaluation& evaluation) {
 }
 
 void StudyLoop::told(const Evaluation& evaluation) {
-  if (!under_way_.at(evaluation.name).design.asked.formula_alone() && !goes_on_later(evaluation))
+  const Design& design = under_way_.at(evaluation.name).design;
+  if (!design.asked.formula_alone() && design.sail_to == 0.0 && !goes_on_later(evaluation))
     remove_checkpoint_in(design_directory(settings_.directory, evaluation.name));
   if (evaluation.result.contains("notes") && evaluation.result.at("notes").is_array())
     for (const Json& note : evaluation.result.at("notes"))
@@ -310,7 +380,10 @@ void StudyLoop::report(const Evaluation& evaluation, bool recalled) {
 void StudyLoop::abandon() {
   runner_.stop();
   try {
-    for (const auto& [name, planned] : under_way_) store_.remove(planned.key);
+    for (const auto& [name, planned] : under_way_) {
+      const auto stored = store_.find(planned.key);
+      if (stored && stored->status == EvaluationStatus::running) store_.remove(planned.key);
+    }
   } catch (
       const RuntimeError&) {  // the disk is full: a row that stays marked is evaluated again all the same
   }

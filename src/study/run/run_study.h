@@ -11,6 +11,7 @@
 #include "base/communicator.h"
 #include "study/evaluate/evaluation.h"
 #include "study/plan/design_space.h"
+#include "study/plan/race_record.h"
 #include "study/run/run_settings.h"
 #include "study/spec/study_spec.h"
 
@@ -26,6 +27,7 @@ class StudyObserver {
   virtual void on_finished(const Evaluation& /*evaluation*/, bool /*recalled*/) {}
   // Another program holds the store: what is said every now and then.
   virtual void on_waiting(const std::string& /*words*/) {}
+  virtual void on_leg(const RaceRecord& /*record*/) {}  // of a study that decides, after each leg
   virtual void on_study_finished(const StudyOutcome& /*outcome*/) {}
 };
 

@@ -1,6 +1,7 @@
 #include "study/spec/read_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "base/errors.h"
@@ -45,6 +46,44 @@ void read_confirm(const Json& document, StudySpec& spec, bool evaluators_known, 
   spec.use_peridynamics = false;
 }
 
+// Longer voyages instead of repeated ones, so each design is one voyage in a window that can sail on.
+void check_decide(const StudySpec& spec, Mistakes& mistakes) {
+  const auto mistake = [&](const char* at, const std::string& words) { mistakes.push_back({at, words}); };
+  if (spec.confirm.given())
+    mistake("/decide", "is given beside /confirm, whose ranking goes by the cycle: drop one of them");
+  else if (!spec.use_peridynamics)
+    mistake(
+        "/decide",
+        "needs \"peridynamics\" in /evaluators, whose voyages are sailed on; the cycle has /cycle/voyages");
+  if (spec.method.type == MethodType::optimise)
+    mistake("/decide",
+            "decides between designs that are known: the method must be list, grid or "
+            "latin_hypercube, not optimise");
+  if (spec.repeats > 1)
+    mistake("/repeats", "is " + std::to_string(spec.repeats) +
+                            ", but with /decide each design is one voyage that is sailed on: drop it");
+  if (spec.rank_by != "mean_load" && spec.rank_by != "mean_load_per_beam")
+    mistake("/ranking/by", "is \"" + spec.rank_by +
+                               "\", but /decide decides by \"mean_load\" or "
+                               "\"mean_load_per_beam\"");
+  if (spec.baseline.stop_when_ci95_below > 0.0)
+    mistake("/operation/stop_when_ci95_below",
+            "ends each run by itself, but with /decide the race says how far each sails: drop it");
+  if (!(spec.baseline.sheet.window_ahead > 0.0))
+    mistake("/decide",
+            "needs a window that moves with the ship, so that a voyage can be sailed on: give "
+            "/sheet/window_ahead_m, two characteristic lengths or more, like 40");
+}
+
+void read_decide(const Json& document, StudySpec& spec, bool all_known, Mistakes& mistakes) {
+  const Section decide(document, "decide", 1.0, mistakes);
+  if (!document.contains("decide")) return;
+  const double longest = decide.number("longest");
+  spec.decide = {decide.number("best_within"), decide.number("confidence"), decide.number("budget_core_h"),
+                 std::isnan(longest) ? 0.0 : longest, true};
+  if (all_known) check_decide(spec, mistakes);
+}
+
 void check_not_empty(const StudySpec& spec, Mistakes& mistakes) {
   if (spec.include_baseline || !spec.designs.empty() || spec.method.type != MethodType::list) return;
   mistakes.push_back(
@@ -79,6 +118,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
                     execution.number("time_limit")};
   if (evaluators_known) check_repeats(spec, mistakes);
+  read_decide(document, spec, mistakes.empty(), mistakes);
   check_not_empty(spec, mistakes);
   return spec;
 }

@@ -130,6 +130,11 @@ const std::vector<Key> table = {
   {"confirm", "best", Quantity::integer, 0, 1000, false, 3, "3", "simulate so many of the best designs by the cycle (docs/cycle.md, \"Two fidelities\")", {}},
   {"confirm", "spread", Quantity::integer, 0, 1000, false, 2, "2", "and so many far from those in the variables, the baseline first: the ratio of simulation and cycle is fitted over both", {}},
 
+  {"decide", "best_within", Quantity::number, 0.001, 1, false, 0.05, "0.05", "the race is over once the design that leads is surely at most this part of its load above the lowest one (docs/study_engine.md, \"The race\")", {}},
+  {"decide", "confidence", Quantity::number, 0.5, 0.9999, false, 0.95, "0.95", "how sure: a wrong answer comes in at most 1 - confidence of all races", {}},
+  {"decide", "budget_core_h", Quantity::number, 0, 1e6, false, 0, "0", "no design is sailed on once the simulations have taken so many core hours; 0 = no limit", {}},
+  {"decide", "longest", Quantity::length, 0.001, 200000, false, none, "operation.steady_from + 20 (advance - steady_from)", "no voyage is sailed farther", {}},
+
   {"ranking", "by", Quantity::choice, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle", {"mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"}},
 
   {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
@@ -264,9 +269,9 @@ const std::vector<std::string>& design_sections() {
 }
 
 const std::vector<std::string>& structural_keys() {
-  static const std::vector<std::string> keys = {"bow",       "hull",   "ice",     "water",   "sheet",
-                                                "operation", "solver", "cycle",   "output",  "evaluators",
-                                                "designs",   "method", "confirm", "ranking", "execution"};
+  static const std::vector<std::string> keys = {
+      "bow",    "hull",       "ice",     "water",  "sheet",   "operation", "solver",  "cycle",
+      "output", "evaluators", "designs", "method", "confirm", "decide",    "ranking", "execution"};
   return keys;
 }
 

@@ -103,6 +103,15 @@ struct Confirm {
   bool given() const { return best + spread > 0; }
 };
 
+// A race (study/plan/race.h): voyages are sailed on until the best is known.
+struct Decide {
+  double best_within = 0.05;  // of the load of the design that leads
+  double confidence = 0.95;
+  double budget_core_hours = 0.0;  // 0 = none
+  double longest = 0.0;  //!< no voyage beyond it, full scale [m]; 0 = 20 times what is counted first
+  bool given = false;
+};
+
 struct Execution {
   int ranks_per_design = 1;
   int designs_at_once = 0;    // 0 = cores / ranks_per_design
@@ -120,6 +129,7 @@ struct StudySpec {
   int repeats = 1;                    // simulations of each design, with different seeds
   std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"
   Confirm confirm;                    // use_peridynamics is false then: the sweep is the cycle's
+  Decide decide;
   Execution execution;
 };
 

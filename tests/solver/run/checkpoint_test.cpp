@@ -90,7 +90,7 @@ void check_same(const IceSheet& part, const IceSheet& whole) {
 void check_second_part(const Communicator& comm, const std::string& file, const Run& straight,
                        const Scenario& s) {
   Run run(comm, s);
-  REQUIRE(why_not_resumable(comm, file, run.text(), precision_of(run.stepper.sheet())).empty());
+  REQUIRE(why_not_resumable(comm, file, run.text(), precision_of(run.stepper.sheet()), 1000000).empty());
   RunState state = run.state();
   load_checkpoint(comm, file, state);
   CHECK(state.wall_seconds == 12.5);
@@ -237,6 +237,38 @@ TEST_CASE("a run with water, ice against ice and damped edges goes on as if it h
   check_same_record(second.history, whole);
   CHECK(whole.rows.back().water_loss > 0.0);
   CHECK(whole.rows.back().edge_loss > 0.0);
+}
+
+TEST_CASE("a voyage that is sailed on is the same as one that was long from the start") {
+  const Communicator& world = test_world();
+  Files files(world);
+  Scenario s = slow();
+  s.V = 1.0;
+  s.sheet.window_ahead = s.sheet.length - 0.1;
+  s.water.added_mass = 0.1;
+  s.numerics.floe_contact = true;
+  const double far = s.advance;
+  files.options.to_be_sailed_on = true;
+  s.advance = 0.6 * far;
+  REQUIRE(simulate(world, tiny_hull(), s, files.options).status == RunStatus::ok);
+  CHECK(fs::exists(files.options.checkpoint_file));
+  CHECK(files.resumed_at == -1);
+
+  s.advance = far;
+  const RunResult longer = simulate(world, tiny_hull(), s, files.options);
+  REQUIRE(longer.status == RunStatus::ok);
+  if (world.is_root()) CHECK(files.resumed_at > longer.steps / 2);
+  const RunResult straight = simulate(world, tiny_hull(), s, {});
+  check_same_record(longer.history, straight.history);
+  CHECK(longer.metrics.resistance.mean == straight.metrics.resistance.mean);
+  CHECK(longer.metrics.resistance.ci95 == straight.metrics.resistance.ci95);
+  CHECK(longer.linear_share == straight.linear_share);
+  REQUIRE(longer.pictures.size() == 8);  // the last one of the longer voyage's end
+  CHECK(longer.picture_advance.back() == Approx(far).epsilon(0.01));
+  CHECK(longer.picture_advance[7] > longer.picture_advance[6]);
+
+  s.advance = 0.6 * far;
+  CHECK_THROWS_WITH(simulate(world, tiny_hull(), s, files.options), Catch::Contains("of a longer voyage"));
 }
 
 TEST_CASE("a checkpoint of another run is refused in words, or passed over where that is asked for") {
