@@ -44,7 +44,9 @@ std::string apart_in_words(double value, double other, const std::string& name) 
   return fixed(std::fabs(share), 0) + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
 }
 
+// A race says itself who may be the best.
 std::string tie_clause(const StudyResults& study, int ranked) {
+  if (study.ranking.race.given()) return "";
   const int tied = static_cast<int>(std::count_if(
       study.ranking.rows.begin(), study.ranking.rows.begin() + ranked, [&](const RankedDesign& row) {
         return row.rank > 1 &&
@@ -101,7 +103,10 @@ std::string at_its_bound(const StudyResults& study) {
 std::string next_step(const StudyResults& study, int ranked, const TooShort& records) {
   if (!study.finished()) return "Give the same command again: it goes on where the study stopped.";
   if (ranked == 0) return "Read the reasons below: each names the parameter to change.";
-  if (!records.reason.empty()) return longer_records(records);
+  const RaceRecord& race = study.ranking.race;
+  if (race.given() && race.state != RaceState::decided)
+    return "Raise decide.budget_core_h or decide.longest_m: the same command then sails the open voyages on.";
+  if (!records.reason.empty() && !race.given()) return longer_records(records);
   const Ranking& ranking = study.ranking;
   const std::string bound = at_its_bound(study);
   if (!bound.empty())
@@ -193,9 +198,11 @@ std::string versus_in_words(const RankedDesign& row, const StudyResults& study) 
 Verdict verdict(const StudyResults& study) {
   const int ranked = study.ranked();
   const TooShort records = too_short(study);
+  const bool raced = study.ranking.race.given();
   Verdict result;
-  result.ranks = ranked > 0 && records.reason.empty();
-  result.headline = records.reason.empty() ? headline(study, ranked) : no_order(records);
+  result.ranks = ranked > 0 && (records.reason.empty() || raced);
+  result.headline = result.ranks || ranked == 0 ? headline(study, ranked) : no_order(records);
+  if (raced) result.remarks.push_back(race_in_words(study.ranking.race));
   result.next = next_step(study, ranked, records);
   const Conditions found = conditions(study);
   if (!found.unlike_ships.empty()) result.remarks.push_back(found.unlike_ships);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/json_fields.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr const char* fact_name = "race";
 constexpr double default_longest = 20.0;  // times what the first leg counts
+constexpr double fewest_samples = 10.0;   // independent ones: a shorter record knows no error of its own
 constexpr double shortest_share = 0.1;    // of a leg that the budget cuts short; below, it is spent
 constexpr double rounding = 1.0 + 1e-9;
 
@@ -94,6 +96,8 @@ void Race::look() {
     Racer racer;
     racer.planned = planned->second;
     racer.load = value_estimate(row, spec_.rank_by);
+    if (racer.load.degrees_of_freedom + 1.0 < fewest_samples)
+      racer.load.standard_error = std::numeric_limits<double>::infinity();
     racer.sailed = number_at(result, result_key::sailed_to);
     const double seconds = number_at(result, result_key::simulation_seconds);
     racer.core_hours = std::isfinite(seconds) ? seconds * number_at(result, result_key::ranks) / 3600.0 : 0.0;
