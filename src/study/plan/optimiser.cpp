@@ -45,6 +45,9 @@ const Algorithm& find_algorithm(const std::string& name, std::size_t variables) 
   throw InputError("there is no optimiser \"" + name + "\": allowed are " + joined_names());
 }
 
+constexpr int halvings = 24;      // of the way back from an infeasible point: to 1e-7 of it
+constexpr double way_back = 0.1;  // slope that leads back, over the range of the variables
+
 class Search {
  public:
   Search(const OptimiserProblem& problem, const OptimiserOptions& options)
@@ -70,6 +73,8 @@ class Search {
   double seen(double value, const std::vector<double>& x);
   void set_up();
   std::vector<double> start() const;
+  bool is_feasible(const std::vector<double>& u) const;
+  std::vector<double> brought_in(const std::vector<double>& u) const;
   std::vector<double> in_units(const std::vector<double>& u) const;
   void end(const std::string& reason);
 
@@ -79,8 +84,9 @@ class Search {
   const Algorithm& algorithm_;
   nlopt::opt nlopt_;
   OptimiserResult result_;
-  double unit_ = 0.0;    // size of the first finite value; 0 = none yet
-  double worst_ = 10.0;  // largest f so far; before there is any, far above one
+  double unit_ = 0.0;           // size of the first finite value; 0 = none yet
+  double worst_ = 10.0;         // largest f so far; before there is any, far above one
+  std::vector<double> anchor_;  // the first feasible point that had a value; empty: none yet
   bool ended_ = false;
   std::exception_ptr exception_;
 };
@@ -132,6 +138,27 @@ double Search::seen(double value, const std::vector<double>& x) {
   return scaled;
 }
 
+bool Search::is_feasible(const std::vector<double>& u) const {
+  return violation(in_units(u)) == 0.0;
+}
+
+// An infeasible point has no value. It is answered with that of the margin's point on the way to the anchor:
+// the best bow often lies there. The same point for the same u, once there is an anchor.
+std::vector<double> Search::brought_in(const std::vector<double>& u) const {
+  if (anchor_.empty() || is_feasible(u)) return u;
+  const auto between = [&](double share) {
+    std::vector<double> v(n_);
+    for (std::size_t i = 0; i < n_; ++i) v[i] = u[i] + share * (anchor_[i] - u[i]);
+    return v;
+  };
+  double outside = 0.0, inside = 1.0;
+  for (int halving = 0; halving < halvings; ++halving) {
+    const double middle = 0.5 * (outside + inside);
+    (is_feasible(between(middle)) ? inside : outside) = middle;
+  }
+  return between(inside);
+}
+
 double Search::f(const std::vector<double>& u) {
   if (ended_) return worst_;
   if (result_.evaluations >= options_.max_evaluations) {
@@ -139,9 +166,13 @@ double Search::f(const std::vector<double>& u) {
     return worst_;
   }
   try {
-    const std::vector<double> x = in_units(u);
+    const std::vector<double> v = brought_in(u), x = in_units(v);
+    double moved = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) moved += (v[i] - u[i]) * (v[i] - u[i]);
     ++result_.evaluations;
-    return seen(problem_.value(x), x);
+    const double value = problem_.value(x);
+    if (anchor_.empty() && std::isfinite(value) && is_feasible(v)) anchor_ = v;
+    return seen(value, x) + way_back * std::sqrt(moved);
   } catch (...) {  // NLopt would turn it into "nlopt failure"
     exception_ = std::current_exception();
     end("error");

@@ -28,8 +28,9 @@ struct OptimiserProblem {
   std::function<double(const std::vector<double>&)> value;
 
   // Optional: margins g, of the same number at every point, all >= 0 where the point is feasible. Constraints
-  // for the algorithms that take some ("cobyla", "isres"); for all, they grade the penalty of an infeasible
-  // point.
+  // for the algorithms that take some ("cobyla", "isres"). For all: an infeasible point is answered with the
+  // value on the margin, on the way to the first feasible point, and a slope that leads back; `value` is then
+  // asked there. Before there is a feasible point, what the margins lack grades the penalty.
   std::function<std::vector<double>(const std::vector<double>&)> margins;
 };
 
