@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   timed(comm, "ParaView step: fields and pieces", 3, [&] { own = local_cloud(comm, stepper.sheet()); });
   const std::string part = folder + "/bench_p" + std::to_string(comm.rank()) + ".vtp";
   timed(comm, "ParaView step: vtp, a file a rank", 3, [&] { write_ice_vtp(part, own); });
-  timed(comm, "ParaView step: vtkhdf", 3, [&] { write_ice_vtkhdf(comm, folder + "/bench.vtkhdf", own); });
+  timed(comm, "ParaView step: vtkhdf", 3, [&] { write_ice_vtkhdf(comm, folder + "/bench.hdf", own); });
   timed(comm, "sheet gathered, for a picture or the metrics", 1,
         [&] { gather_state(comm, stepper.sheet()); });
   timed(comm, "picture, sheet gathered", 1, [&] { snapshots.write_due(stepper, s.advance); });
@@ -75,6 +75,5 @@ int main(int argc, char** argv) {
   std::filesystem::remove(part);
   comm.barrier();
   if (!comm.is_root()) return 0;
-  for (const char* file : {"/bench.vtkhdf", "/bench.h5", "/ice_000.png"})
-    std::filesystem::remove(folder + file);
+  for (const char* file : {"/bench.hdf", "/bench.h5", "/ice_000.png"}) std::filesystem::remove(folder + file);
 }

@@ -204,7 +204,7 @@ void draw_table(SvgCanvas& svg, const CurvesPage& page) {
 }  // namespace
 
 std::string curves_page_svg(const CurvesPage& page, DrawnFor reader) {
-  SvgCanvas svg(width, height, "lines-plan", lines_style(reader), page.title + ": curves of form");
+  SvgCanvas svg(width, height, lines_style(), page.title + ": curves of form", reader);
   svg.text({margin, 44.0}, page.title + ": curves of form", Anchor::start, "title");
   const Hydrostatics& h = page.at_draft.values;
   svg.text({margin, 68.0},

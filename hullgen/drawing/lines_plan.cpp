@@ -86,7 +86,7 @@ void draw_heading(SvgCanvas& svg, Pixel at, const std::string& view, const std::
 }
 
 std::string no_lines(const Hull& hull, const std::string& title, DrawnFor reader) {
-  SvgCanvas svg(width, 120.0, "lines-plan", lines_style(reader), title);
+  SvgCanvas svg(width, 120.0, lines_style(), title, reader);
   svg.text({left_margin, 40.0}, title, Anchor::start, "title");
   svg.text({left_margin, 76.0}, "No hull, so no lines: " + hull.reason, Anchor::start, "quiet");
   return svg.svg();
@@ -142,7 +142,7 @@ std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std
   if (hull.mesh.quads.empty()) return no_lines(hull, title, reader);
   const ForeBody body = fore_body(hull, bow);
   const Sheet sheet(body.extent);
-  SvgCanvas svg(width, sheet.height, "lines-plan", lines_style(reader), title);
+  SvgCanvas svg(width, sheet.height, lines_style(), title, reader);
   svg.text({left_margin, 36.0}, title, Anchor::start, "title");
   svg.text({left_margin, 60.0}, dimensions(bow), Anchor::start, "cell");
   svg.text({left_margin, 80.0},
@@ -161,7 +161,7 @@ std::string overlaid_lines_plan_svg(const NamedHull& first, const NamedHull& sec
   ForeBody a = fore_body(first.hull, first.bow), b = fore_body(second.hull, second.bow);
   share_extent(a, b);
   const Sheet sheet(a.extent);
-  SvgCanvas svg(width, sheet.height, "lines-plan", lines_style(reader), title);
+  SvgCanvas svg(width, sheet.height, lines_style(), title, reader);
   svg.text({left_margin, 36.0}, title, Anchor::start, "title");
   draw_legend(svg, 62.0, first);
   svg.begin_group("second");

@@ -9,9 +9,11 @@
 
 namespace icebow {
 
-// A self-contained <svg> element without external references. On a screen colours are CSS currentColor and
-// variables, so that it reads on light and dark pages: --lp-paper is the page's background, --lp-water and
-// --lp-angle colour the design waterline and the angles, --lp-second a second hull. For print they are plain.
+// A self-contained <svg> element without external references, every element with its look as plain
+// attributes. For a screen CSS with currentColor and variables stands over them, so that it reads on light
+// and dark pages:
+// --lp-paper is the page's background, --lp-water and --lp-angle colour the design waterline and the angles,
+// --lp-second a second hull.
 // A hull without a mesh gives its reason instead of lines. Lengths are full scale.
 std::string lines_plan_svg(const Hull& hull, const BowParameters& bow, const std::string& title,
                            DrawnFor reader = DrawnFor::screen);

@@ -1,13 +1,10 @@
 // Colours and strokes of a lines plan.
 #pragma once
 
-#include <string>
+#include "hullgen/drawing/svg_style.h"
 
 namespace icebow {
 
-enum class DrawnFor { screen, print };
-
-// The text of its <style> element.
-std::string lines_style(DrawnFor reader);
+const SvgStyle& lines_style();
 
 }  // namespace icebow

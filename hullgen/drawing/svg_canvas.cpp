@@ -59,20 +59,28 @@ std::string xml_escaped(const std::string& words) {
   return out;
 }
 
-SvgCanvas::SvgCanvas(double width, double height, const std::string& style_class, const std::string& style,
-                     const std::string& title) {
+SvgCanvas::SvgCanvas(double width, double height, const SvgStyle& style, const std::string& title,
+                     DrawnFor reader)
+    : style_(style) {
   out_ = icebow::text(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"%s\" viewBox=\"0 0 %g %g\" width=\"%g\" "
-      "height=\"%g\" role=\"img\">\n",
-      style_class.c_str(), width, height, width, height);
-  out_ += "<title>" + xml_escaped(title) + "</title>\n<style>" + style + "</style>\n";
+      "height=\"%g\" role=\"img\"",
+      style.drawing().c_str(), width, height, width, height);
+  out_ += style.attributes("svg", "") + ">\n<title>" + xml_escaped(title) + "</title>\n";
+  if (reader == DrawnFor::screen) out_ += "<style>" + style.css() + "</style>\n";
+}
+
+std::string SvgCanvas::look(const char* element, const std::string& style_class) const {
+  return style_.attributes(element, style_class, group_);
 }
 
 void SvgCanvas::begin_group(const std::string& style_class) {
   out_ += "<g class=\"" + style_class + "\">\n";
+  group_ = style_class;
 }
 void SvgCanvas::end_group() {
   out_ += "</g>\n";
+  group_.clear();
 }
 
 void SvgCanvas::polyline(const std::vector<Pixel>& points, const std::string& style_class) {
@@ -88,7 +96,7 @@ void SvgCanvas::polyline(const std::vector<Pixel>& points, const std::string& st
     if (kept_off && k > 0) segments_.push_back({points[last], points[k]});
     last = k;
   }
-  out_ += "\"/>\n";
+  out_ += "\"" + look("path", style_class) + "/>\n";
 }
 
 void SvgCanvas::line(Pixel a, Pixel b, const std::string& style_class) {
@@ -96,8 +104,8 @@ void SvgCanvas::line(Pixel a, Pixel b, const std::string& style_class) {
 }
 
 void SvgCanvas::dot(Pixel centre, double radius, const std::string& style_class) {
-  out_ += icebow::text("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%g\"/>\n", style_class.c_str(),
-                       centre.x, centre.y, radius);
+  out_ += icebow::text("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%g\"%s/>\n", style_class.c_str(),
+                       centre.x, centre.y, radius, look("circle", style_class).c_str());
 }
 
 void SvgCanvas::arc(Pixel centre, double radius, double a, double b, const std::string& style_class) {
@@ -105,13 +113,14 @@ void SvgCanvas::arc(Pixel centre, double radius, double a, double b, const std::
     return Pixel{centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)};
   };
   const Pixel from = at(a), to = at(b);
-  out_ += icebow::text("<path class=\"%s\" d=\"M%.1f %.1fA%.1f %.1f 0 0 0 %.1f %.1f\"/>\n",
-                       style_class.c_str(), from.x, from.y, radius, radius, to.x, to.y);
+  out_ +=
+      icebow::text("<path class=\"%s\" d=\"M%.1f %.1fA%.1f %.1f 0 0 0 %.1f %.1f\"%s/>\n", style_class.c_str(),
+                   from.x, from.y, radius, radius, to.x, to.y, look("path", style_class).c_str());
 }
 
 void SvgCanvas::text(Pixel at, const std::string& words, Anchor anchor, const std::string& style_class) {
-  out_ += icebow::text("<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", style_class.c_str(),
-                       at.x, at.y, anchor_name(anchor));
+  out_ += icebow::text("<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", style_class.c_str(),
+                       at.x, at.y, anchor_name(anchor), look("text", style_class).c_str());
   out_ += xml_escaped(words) + "</text>\n";
 }
 

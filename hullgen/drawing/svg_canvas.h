@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "hullgen/drawing/svg_style.h"
+
 namespace icebow {
 
 struct Pixel {
@@ -14,9 +16,10 @@ enum class Anchor { start, middle, end };
 
 class SvgCanvas {
  public:
-  // `style` is the text of the <style> element; `title` its accessible name.
-  SvgCanvas(double width, double height, const std::string& style_class, const std::string& style,
-            const std::string& title);
+  // `title` is the drawing's accessible name. Elements bear their look as attributes; for a screen a <style>
+  // holds over them. The style outlives the canvas.
+  SvgCanvas(double width, double height, const SvgStyle& style, const std::string& title,
+            DrawnFor reader = DrawnFor::screen);
 
   void begin_group(const std::string& style_class);
   void end_group();
@@ -45,6 +48,10 @@ class SvgCanvas {
   static bool crosses(const Segment& segment, const Rectangle& box);
   int lines_under(const Rectangle& box) const;
 
+  std::string look(const char* element, const std::string& style_class) const;
+
+  const SvgStyle& style_;
+  std::string group_;
   std::string out_;
   std::vector<Segment> segments_;  // of the lines that labels keep off
   std::vector<Rectangle> labels_;

@@ -29,6 +29,10 @@ const Names plain = {
     "fill-rule",   "text-anchor", "font-size", "font-weight", "fill-opacity", "stroke-opacity",
     "aria-hidden", "paint-order"};
 
+// Left to drawings_style() in a drawing of ours: the page then colours it by its theme, and is smaller.
+const Names looks = {"fill",           "stroke",      "stroke-width", "stroke-dasharray", "fill-opacity",
+                     "stroke-opacity", "paint-order", "font-size",    "font-weight"};
+
 bool only_of(const std::string& text, const char* allowed) {
   return std::all_of(text.begin(), text.end(), [&](unsigned char c) {
     return (c < 0x80 && std::isalnum(c)) ||
@@ -41,22 +45,21 @@ bool is_id(const std::string& text) {
 }
 
 // Classes that the styles of our drawings know; the page's own would let a drawing pose as a part of it.
-std::string known_classes(const std::string& text, const std::string& style) {
+std::string known_classes(const std::string& text) {
   std::istringstream list(text);
   std::string known;
-  for (std::string name; list >> name;) {
-    const std::size_t at = style.find("." + name);
-    const bool whole =
-        at != std::string::npos && is_id(name) && !only_of(style.substr(at + 1 + name.size(), 1), "-_");
-    if (whole) known += (known.empty() ? "" : " ") + name;
-  }
+  for (std::string name; list >> name;)
+    if (lines_style().knows(name) || voyage_style().knows(name)) known += (known.empty() ? "" : " ") + name;
   return known;
+}
+
+bool is_ours(const std::string& drawing) {
+  return drawing == lines_style().drawing() || drawing == voyage_style().drawing();
 }
 
 class Copy {
  public:
-  explicit Copy(const std::string& prefix)
-      : prefix_(prefix), plan_(lines_style(DrawnFor::screen)), voyage_(voyage_style()) {}
+  Copy(const std::string& prefix, bool is_ours) : prefix_(prefix), is_ours_(is_ours) {}
 
   // False where the drawing is to be left out.
   bool element(const pugi::xml_node& from, pugi::xml_node to, int level) {
@@ -65,9 +68,6 @@ class Copy {
     if (level > most_levels || (!bears_words && !shapes.count(name) && !containers.count(name))) return false;
     for (const pugi::xml_attribute& a : from.attributes())
       if (!attribute(a, to)) return false;
-    const std::string drawing = to.attribute("class").value();
-    if (drawing == "lines-plan") to.append_child("style").text().set(plan_.c_str());
-    if (drawing == "voyage") to.append_child("style").text().set(voyage_.c_str());
     for (const pugi::xml_node& child : from.children())
       if (!child_of(child, to, bears_words, level)) return false;
     return true;
@@ -89,11 +89,12 @@ class Copy {
       return false;
     std::string kept;
     if (name == "id" && is_id(value)) kept = prefix_ + value;
-    if (name == "class") kept = known_classes(value, plan_ + voyage_);
+    if (name == "class") kept = known_classes(value);
     if (name == "xmlns" && value == svg_namespace) kept = value;
     if (name == "clip-path") kept = reference(value);
     if (name == "aria-labelledby" || name == "aria-describedby") kept = is_id(value) ? prefix_ + value : "";
     if (plain.count(name) && only_of(value, " \t\n-+.,#%()")) kept = value;
+    if (is_ours_ && looks.count(name)) kept.clear();
     if (value.find("url(") != std::string::npos && name != "clip-path") kept.clear();
     if (!kept.empty()) to.append_attribute(name.c_str()).set_value(kept.c_str());
     return true;
@@ -106,7 +107,8 @@ class Copy {
     return is_id(id) ? "url(#" + prefix_ + id + ")" : "";
   }
 
-  std::string prefix_, plan_, voyage_;
+  std::string prefix_;
+  bool is_ours_;
 };
 
 }  // namespace
@@ -115,11 +117,17 @@ std::string inline_svg(const std::string& file_text, const std::string& prefix) 
   pugi::xml_document file, page;
   const unsigned options = pugi::parse_default | pugi::parse_ws_pcdata_single;
   if (!file.load_buffer(file_text.data(), file_text.size(), options, pugi::encoding_utf8)) return {};
-  if (std::string(file.document_element().name()) != "svg") return {};
-  if (!Copy(prefix).element(file.document_element(), page.append_child("svg"), 1)) return {};
+  const pugi::xml_node drawing = file.document_element();
+  if (std::string(drawing.name()) != "svg") return {};
+  const bool ours = is_ours(drawing.attribute("class").value());
+  if (!Copy(prefix, ours).element(drawing, page.append_child("svg"), 1)) return {};
   std::ostringstream out;
   page.save(out, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
   return out.str();
+}
+
+std::string drawings_style() {
+  return lines_style().css() + voyage_style().css();
 }
 
 }  // namespace icebow

@@ -4,6 +4,7 @@
 
 #include "base/json.h"
 #include "base/json_fields.h"
+#include "reports/content/inline_svg.h"
 #include "reports/content/response_fit.h"
 #include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
@@ -131,7 +132,7 @@ Json page_view(const ReportContent& content) {
       {"provenance", provenance_view(study)},
       {"policy", content_security_policy(report_script())},
       {"data", json_for_script(chart_data(content, fit))},
-      {"style", report_style()},
+      {"style", report_style() + drawings_style()},
       {"script", report_script()}};
   page.update(first_screen(content));
   page.update(charts(content, fit));

@@ -204,6 +204,17 @@ const std::vector<Command>& commands() {
        {{"--out", "FILE", "default: DIR/report.html"}},
        false,
        run_report},
+      {"picture",
+       "DIR",
+       "the ice breaking, animated, from the pictures of a simulated design",
+       "Makes an animated PNG of DIR/ice_000.png and so on, as many as output.pictures of the study asks "
+       "for. "
+       "Browsers play it; `simulate` and `run` write one for each design with two pictures or more.",
+       "icebow picture out/one --seconds 0.2",
+       {{"--out", "FILE.png", "default: DIR/breaking.png"},
+        {"--seconds", "S", "of each picture; default: five seconds of all, a second each at most"}},
+       false,
+       run_picture},
   };
   return all;
 }

@@ -20,6 +20,7 @@ int run_calibrate(const Communicator& comm, const Arguments& arguments);
 int run_resistance(const Communicator& comm, const Arguments& arguments);
 int run_cycle_command(const Communicator& comm, const Arguments& arguments);
 int run_rank(const Communicator& comm, const Arguments& arguments);
+int run_picture(const Communicator& comm, const Arguments& arguments);
 int run_report(const Communicator& comm, const Arguments& arguments);
 int run_status(const Communicator& comm, const Arguments& arguments);
 int run_show(const Communicator& comm, const Arguments& arguments);

@@ -81,6 +81,18 @@ class Calibrate(ProgramTest):
 
 
 class Simulate(ProgramTest):
+    def test_pictures_become_an_animation(self):
+        out = self.directory / "one"
+        self.expect(0, "simulate", TINY, "--out", out, "--set", "/output/pictures=3")
+        result = json.loads((out / "result.json").read_text())
+        self.assertEqual(result["files"]["animation"], "breaking.png")
+        written = (out / "breaking.png").read_bytes()
+        self.assertEqual(written.count(b"fcTL"), 3)
+        again = self.directory / "again.png"
+        self.assertEqual(self.expect(0, "picture", out, "--out", again).stdout, f"{again}\n")
+        self.assertEqual(again.read_bytes(), written)
+        self.assertIn("output.pictures", self.expect(2, "picture", self.directory).stderr)
+
     def test_one_run(self):
         out = self.directory / "new/run"
         result = json.loads(self.expect(0, "simulate", TINY, "--out", out, "--json").stdout)

@@ -24,7 +24,7 @@ COMPONENTS = {"displacement": 3, "velocity": 3, "damage": 1, "piece": 1}
 
 
 def read(path):
-    reader = {".vtp": "vtkXMLPolyDataReader", ".pvtp": "vtkXMLPPolyDataReader", ".vtkhdf": "vtkHDFReader"}[path.suffix]
+    reader = {".vtp": "vtkXMLPolyDataReader", ".pvtp": "vtkXMLPPolyDataReader", ".hdf": "vtkHDFReader"}[path.suffix]
     reader = getattr(vtk, reader)()
     errors = []
     reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
@@ -78,7 +78,7 @@ class ParaView(unittest.TestCase):
     def steps(self, run):
         if run in (self.one, self.three):
             return run.collection("ice.pvd")
-        series = json.loads((run.directory / "ice.vtkhdf.series").read_text())
+        series = json.loads((run.directory / "ice.hdf.series").read_text())
         return [(f["time"], run.directory / f["name"]) for f in series["files"]]
 
     def test_every_ice_file_opens_and_holds_the_sheet(self):

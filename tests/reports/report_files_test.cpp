@@ -97,8 +97,10 @@ TEST_CASE("a lines plan of ours stays whole, with the program's own style") {
     for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++n;
     return n;
   };
-  for (const char* element : {"<path", "<text", "<circle", "class=\"", "<style>", "viewBox", "d=\""})
+  for (const char* element : {"<path", "<text", "<circle", "class=\"", "viewBox", "d=\""})
     CHECK(count(drawn, element) == count(file, element));
+  CHECK(count(drawn, "<style") + count(drawn, "stroke-width=") == 0);  // drawings_style() has it once
+  CHECK(drawings_style().find(".lines-plan path.dwl{stroke:var(--lp-water") != std::string::npos);
   std::string hostile = file;
   hostile.replace(hostile.find("<style>"), 7, "<style>body{display:none}");
   CHECK(inline_svg(hostile, "d1-") == drawn);

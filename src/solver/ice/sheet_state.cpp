@@ -254,7 +254,7 @@ void measure_sheet(const SheetState& state, double x_from, double x_to, double b
       for (int k = 0; k < lattice.nz; ++k, ++met) damage += state.damage[lattice.id(i, j, k)];
     }
   }
-  metrics.mean_damage = met ? damage / met : 0.0;
+  metrics.mean_damage = met ? damage / met : std::nan("");
   metrics.channel_width = stations ? width / stations : std::nan("");
   metrics.channel_width_over_beam = metrics.channel_width / beam;
 }

@@ -4,17 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "geometry/hull_section.h"
 #include "solver/output/particle_tiles.h"
 #include "solver/output/picture_canvas.h"
+#include "solver/output/picture_caption.h"
+#include "solver/output/picture_text.h"
+#include "solver/output/png_file.h"
 
 namespace icebow {
 namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-constexpr Color sea{22, 61, 92}, standing{236, 242, 246}, crack{44, 54, 68}, crushed{146, 155, 163};
+constexpr Color sea{22, 61, 92}, air{226, 234, 238}, standing{236, 242, 246}, crack{44, 54, 68},
+    crushed{146, 155, 163};
 constexpr Color hull_fill{176, 60, 48}, hull_line{92, 20, 18};
 // Light enough that cracks stay darker than any of them, in an order that keeps successive numbers apart.
 constexpr Color floe_tints[] = {{173, 214, 235}, {240, 221, 178}, {188, 224, 196}, {214, 200, 236},
@@ -87,11 +92,77 @@ std::vector<Segment> moved(std::vector<Segment> lines, double x) {
   return lines;
 }
 
+// Where the section stands on the canvas: its foot [px] and the heights it shows.
+struct SectionPanel {
+  double foot, low, high;  //!< [px], z [m], z [m]
+};
+
+void draw_section_ice(Canvas& canvas, const IceCloud& ice, const std::vector<Tile>& tiles,
+                      const SectionPanel& panel, double y_of_zero) {
+  const float dx = static_cast<float>(ice.dx);
+  const auto turned = [](const Vec3f& edge) { return Vec3f(edge.x(), edge.z(), 0.0f); };
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const float across = ice.y[i] - ice.uy[i];  // before it moved
+    const bool in_plane = std::abs(across) < dx && ice.z[i] > panel.low && ice.z[i] < panel.high;
+    if (!in_plane || !std::isfinite(ice.x[i])) continue;
+    const float over_all = 1e6f - std::abs(ice.y[i]);  // of what the top view has drawn there
+    const Vec3f centre(ice.x[i], static_cast<float>(y_of_zero) + ice.z[i], over_all);
+    const float size = ice.piece[i] < 0 ? 0.7f : 1.0f;
+    canvas.tile(centre, size * turned(tiles[i].x), size * turned(tiles[i].z), ice_color(ice, i));
+  }
+}
+
+// Where the plane y = 0 cuts the hull, in x and z, moved.
+std::vector<Segment> centre_section(QuadMesh hull, const Vec2& by) {
+  for (Vec3& point : hull.points) std::swap(point.y(), point.z());
+  std::vector<Segment> lines = hull_section(hull, 0.0);
+  for (auto& [a, b] : lines) a += by, b += by;
+  return lines;
+}
+
+// The plane y = 0 from starboard: ice, hull, sea and air.
+void draw_section(Canvas& canvas, const IceCloud& ice, const std::vector<Tile>& tiles, const QuadMesh& hull,
+                  double hull_x, const SectionPanel& panel, double canvas_y_min) {
+  const double per_metre = 1.0 / canvas.metres_per_pixel();
+  const double sea_level = panel.foot - panel.low * per_metre;
+  const double top = panel.foot + (panel.high - panel.low) * per_metre;
+  const double y_of_zero = canvas_y_min + sea_level * canvas.metres_per_pixel();
+  canvas.rectangle(0.0, panel.foot, canvas.width(), sea_level, sea);
+  canvas.rectangle(0.0, sea_level, canvas.width(), top, air);
+  draw_section_ice(canvas, ice, tiles, panel, y_of_zero);
+  const std::vector<Segment> outline = centre_section(hull, Vec2(hull_x, y_of_zero));
+  canvas.fill(outline, hull_fill, 0.42f);
+  canvas.stroke(outline, 2.0, hull_line, 0.95f);
+  canvas.rectangle(0.0, top - 1.0, canvas.width(), top, hull_line);
+  const double dot = letter_dot(canvas.width());
+  const std::string words = "section at the centre plane";
+  draw_text(canvas, words, canvas.width() - text_width(words, dot) - 7.0 * dot, top - 12.0 * dot, dot,
+            {22, 34, 48});
+}
+
+const std::vector<LegendEntry>& legend() {
+  static const std::vector<LegendEntry> entries = {
+      {standing, "standing ice"}, {floe_tints[0], "floes, a tint each"},
+      {crack, "cracks"},          {crushed, "crushed ice"},
+      {sea, "open water"},        {hull_fill, "hull at the waterline"}};
+  return entries;
+}
+
 }  // namespace
 
 void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh& hull, double hull_x,
                     const PictureFrame& frame) {
-  Canvas canvas(frame.x_min, frame.x_max, frame.y_min, frame.y_max, frame.width_px, sea);
+  const std::vector<LegendEntry> entries = frame.title.empty() ? std::vector<LegendEntry>() : legend();
+  const double metres_per_pixel = (frame.x_max - frame.x_min) / frame.width_px;
+  const double foot = legend_height(entries, frame.width_px),
+               head = title_height(frame.title, frame.width_px);
+  if (!(frame.y_max > frame.y_min)) throw std::invalid_argument("a picture needs a window and a width");
+  const Box box = bounding_box(hull);
+  const double margin = 0.08 * (box.upper.z() - box.lower.z());
+  const SectionPanel panel{foot, box.lower.z() - margin, box.upper.z() + margin};
+  const double under = frame.section ? foot + std::round((panel.high - panel.low) / metres_per_pixel) : foot;
+  const double y_min = frame.y_min - under * metres_per_pixel;
+  Canvas canvas(frame.x_min, frame.x_max, y_min, frame.y_max + head * metres_per_pixel, frame.width_px, sea);
   const std::vector<Tile> tiles = particle_tiles(ice);
   const float top = upper_side(ice);
   for (std::size_t i = 0; i < tiles.size(); ++i) draw_particle(canvas, ice, i, tiles[i], top);
@@ -100,8 +171,11 @@ void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh
   canvas.fill(waterline, hull_fill, 0.42f);
   canvas.stroke(moved(hull_section(hull, top), hull_x), 1.0, hull_line, 0.45f);
   canvas.stroke(waterline, 2.0, hull_line, 0.95f);
-  draw_scale_bar(canvas);
-  write_png(path, canvas.width(), canvas.height(), canvas.rgb());
+  if (frame.section) draw_section(canvas, ice, tiles, hull, hull_x, panel, y_min);
+  draw_title(canvas, frame.title);
+  draw_legend(canvas, entries);
+  draw_scale_bar(canvas, frame.lambda, under);
+  write_png(path, canvas.raster());
 }
 
 }  // namespace icebow

@@ -1,14 +1,9 @@
 #include "solver/output/picture_canvas.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include "base/errors.h"
-#include "base/json.h"
 
 namespace icebow {
 namespace {
@@ -52,7 +47,7 @@ Canvas::Canvas(double x_min, double x_max, double y_min, double y_max, int width
 
 void Canvas::tile(const Eigen::Vector3f& centre, const Eigen::Vector3f& u, const Eigen::Vector3f& v,
                   const Color& color) {
-  const Vec2 c = raster(centre.head<2>().cast<double>());
+  const Vec2 c = at(centre.head<2>().cast<double>());
   const Vec2 a = Vec2(u.x(), -u.y()) * scale_, b = Vec2(v.x(), -v.y()) * scale_;
   const double determinant = a.x() * b.y() - a.y() * b.x();
   if (!(std::abs(determinant) > 1e-3)) return;  // seen edge-on, or not a number
@@ -80,7 +75,7 @@ void Canvas::blend(int column, int row, const Color& color, float opacity) {
 void Canvas::fill(const std::vector<Segment>& loops, const Color& color, float opacity) {
   std::vector<std::vector<double>> crossings(height_);
   for (const Segment& segment : loops) {
-    Vec2 a = raster(segment.first), b = raster(segment.second);
+    Vec2 a = at(segment.first), b = at(segment.second);
     if (a.y() > b.y()) std::swap(a, b);
     const auto [top, bottom] = covered(a.y(), b.y(), height_);
     for (int row = top; row < bottom; ++row)
@@ -100,7 +95,7 @@ void Canvas::stroke(const std::vector<Segment>& lines, double width_px, const Co
   const double half = 0.5 * width_px * fine;
   std::vector<bool> touched(points_.size(), false);  // overlapping segments darken a point once
   for (const Segment& line : lines) {
-    const Segment s{raster(line.first), raster(line.second)};
+    const Segment s{at(line.first), at(line.second)};
     const Vec2 lower = s.first.cwiseMin(s.second), upper = s.first.cwiseMax(s.second);
     const auto [left, right] = covered(lower.x() - half, upper.x() + half, width_);
     const auto [top, bottom] = covered(lower.y() - half, upper.y() + half, height_);
@@ -121,8 +116,9 @@ void Canvas::rectangle(double left, double bottom, double right, double top, con
     for (int column = first; column < last; ++column) blend(column, row, color, 1.0f);
 }
 
-std::vector<std::uint8_t> Canvas::rgb() const {
-  std::vector<std::uint8_t> bytes;
+Raster Canvas::raster() const {
+  Raster picture{width(), height(), {}};
+  std::vector<std::uint8_t>& bytes = picture.rgb;
   bytes.reserve(static_cast<std::size_t>(3) * width() * height());
   for (int row = 0; row < height(); ++row)
     for (int column = 0; column < width(); ++column) {
@@ -136,21 +132,7 @@ std::vector<std::uint8_t> Canvas::rgb() const {
       for (float channel : {sum.r, sum.g, sum.b})
         bytes.push_back(static_cast<std::uint8_t>(std::clamp(channel / (fine * fine) + 0.5f, 0.0f, 255.0f)));
     }
-  return bytes;
-}
-
-void write_png(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgb) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.format = PNG_FORMAT_RGB;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::string file(bytes, '\0');
-  if (!png_image_write_to_memory(&image, file.data(), &bytes, 0, rgb.data(), 0, nullptr))
-    throw RuntimeError("cannot write " + path + ": " + image.message);
-  file.resize(bytes);
-  write_text_file(path, file);
+  return picture;
 }
 
 }  // namespace icebow

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "geometry/hull_section.h"
+#include "solver/output/raster.h"
 
 namespace icebow {
 
@@ -39,8 +39,8 @@ class Canvas {
   // A rectangle in pixels from the lower left corner.
   void rectangle(double left, double bottom, double right, double top, const Color& color);
 
-  // Mean of each pixel's raster points as RGB bytes, top row first.
-  std::vector<std::uint8_t> rgb() const;
+  // Mean of each pixel's raster points.
+  Raster raster() const;
 
  private:
   struct Point {
@@ -48,18 +48,12 @@ class Canvas {
     float z;
   };
 
-  Vec2 raster(const Vec2& p) const { return {(p.x() - x_min_) * scale_, (y_max_ - p.y()) * scale_}; }
+  Vec2 at(const Vec2& p) const { return {(p.x() - x_min_) * scale_, (y_max_ - p.y()) * scale_}; }
   void blend(int column, int row, const Color& color, float opacity);
 
   double x_min_, y_max_, scale_;  // scale: raster points per metre
   int width_, height_;            // in raster points
   std::vector<Point> points_;
 };
-
-// Throws RuntimeError naming the file; the file is complete or absent.
-void write_png(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgb);
-
-// A bar of 1, 2 or 5 times a power of ten metres in the lower left corner, with its length.
-void draw_scale_bar(Canvas& canvas);
 
 }  // namespace icebow

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "solver/ice/local_cloud.h"
+#include "solver/output/animation.h"
 #include "solver/output/picture.h"
 #include "solver/output/vtkhdf.h"
 #include "solver/output/vtp.h"
@@ -82,8 +83,8 @@ void Snapshots::write_paraview(const Stepper& stepper) {
 std::string Snapshots::write_ice(const std::string& stem, const IceCloud& own) {
   const std::string folder = options_.directory + "/";
   if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
-    write_ice_vtkhdf(comm_, folder + stem + ".vtkhdf", own);
-    return stem + ".vtkhdf";
+    write_ice_vtkhdf(comm_, folder + stem + ".hdf", own);
+    return stem + ".hdf";
   }
   std::vector<std::string> pieces;
   for (int rank = 0; rank < comm_.size(); ++rank)
@@ -103,7 +104,7 @@ void Snapshots::write_hull_and_lists(double time, double hull_x, const std::stri
   ice_steps_.emplace_back(time, ice);
   hull_steps_.emplace_back(time, hull);
   if (options_.snapshot_format == SnapshotFormat::vtkhdf) {
-    write_series(folder + "ice.vtkhdf.series", ice_steps_);
+    write_series(folder + "ice.hdf.series", ice_steps_);
   } else {
     write_pvd(folder + "ice.pvd", ice_steps_);
   }
@@ -127,7 +128,22 @@ void Snapshots::write_picture(const SheetState& state, double advance, double hu
   frame.y_min = -half;
   frame.y_max = half;
   frame.width_px = 1100;
+  frame.section = true;
+  frame.lambda = options_.lambda;
+  frame.title = (options_.name.empty() ? "" : options_.name + ": ") +
+                text("ice from above, %.1f m after first touch", advance * options_.lambda) +
+                (options_.lambda > 1.0 ? text(", full scale (model 1:%g)", options_.lambda) : "");
   write_top_view(options_.directory + "/" + name, cloud(state), hull_, hull_x, frame);
+}
+
+void Snapshots::write_animation() const {
+  if (options_.directory.empty() || pictures_.size() < 2) return;
+  act_together(comm_, [&] {
+    if (!comm_.is_root()) return;
+    std::vector<std::string> files;
+    for (const std::string& name : pictures_) files.push_back(options_.directory + "/" + name);
+    animate_pictures(options_.directory + "/" + animation_name, files);
+  });
 }
 
 }  // namespace icebow

@@ -24,6 +24,9 @@ class Snapshots {
   // root for a picture only.
   bool write_due(const Stepper& stepper, double advance);
 
+  // Collective: of all pictures so far, where there are two or more.
+  void write_animation() const;
+
   const std::vector<std::string>& pictures() const { return pictures_; }
   const std::vector<double>& picture_advance() const { return picture_advance_; }
 

@@ -244,6 +244,7 @@ class Loop {
     result_.picture_advance = snapshots.picture_advance();
     if (result_.status == RunStatus::ok) check_touch(stepper);
     if (result_.status != RunStatus::ok) return;
+    snapshots.write_animation();
     const SheetState sheet = gather_state(comm_, stepper.sheet());
     result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
     result_.process = process.sum_up(stepper, sheet, result_.history);

@@ -164,6 +164,8 @@ RunOptions run_options(Work& work) {
   const Case& c = work.given();
   RunOptions options;
   options.directory = work.options.directory;
+  options.name = work.design.name;
+  options.lambda = c.lambda;
   options.snapshots = c.snapshots;
   options.snapshot_format = c.snapshot_format;
   options.pictures = c.pictures;
@@ -236,6 +238,8 @@ Ending run_simulation(Work& work) {
   work.result["simulation"]["ice"] = done.described;
   work.result["profile"] = profile_json(run);
   work.result["files"]["pictures"] = pictures_json(run);
+  if (run.status == RunStatus::ok && run.pictures.size() > 1)
+    work.result["files"]["animation"] = "breaking.png";
   if (work.writes()) act_on_root(work.comm, [&] { write_history(work, run.history); });
   if (run.status == RunStatus::interrupted) return {EvaluationStatus::running, "interrupted"};
   return run.status == RunStatus::failed ? failed(run.reason) : Ending{};

@@ -11,14 +11,21 @@ namespace {
 
 constexpr double width = 1100.0, left = 70.0, right = 20.0, top = 40.0, plot_height = 190.0, between = 60.0;
 
-// Under the drawing's own class: in a report it shares the page with others.
-constexpr const char* style =
-    ".voyage{background:#fff}.voyage text{font:13px sans-serif;fill:#222}.voyage .title{font-size:15px}"
-    ".voyage .ice{fill:#e8eef3;stroke:none}.voyage .water{fill:#9dbdd1;stroke:none}"
-    ".voyage .piece{fill:#c4d8e5;stroke:#4a6d85;stroke-width:.8}"
-    ".voyage .hull{fill:#8b5a3c;fill-opacity:.18;stroke:#5a3620}.voyage .axis{stroke:#444;fill:none}"
-    ".voyage .grid{stroke:#ddd;fill:none}.voyage .load{stroke:#9c2f2f;stroke-width:1;fill:none}"
-    ".voyage .mean{stroke:#222;stroke-width:1.4;stroke-dasharray:6 4;fill:none}";
+const std::vector<StyleRule>& rules() {
+  static const std::vector<StyleRule> all = {
+      {"", "svg", "", "background:#fff"},
+      {"", "text", "", "font-family:sans-serif;font-size:13px;fill:#222222"},
+      {"", "text", "title", "font-size:15px"},
+      {"", "path", "ice", "fill:#e8eef3;stroke:none"},
+      {"", "path", "water", "fill:#9dbdd1;stroke:none"},
+      {"", "path", "piece", "fill:#c4d8e5;stroke:#4a6d85;stroke-width:.8"},
+      {"", "path", "hull", "fill:#8b5a3c;fill-opacity:.18;stroke:#5a3620"},
+      {"", "path", "axis", "stroke:#444444;fill:none"},
+      {"", "path", "grid", "stroke:#dddddd;fill:none"},
+      {"", "path", "load", "stroke:#9c2f2f;stroke-width:1;fill:none"},
+      {"", "path", "mean", "stroke:#222222;stroke-width:1.4;stroke-dasharray:6 4;fill:none"}};
+  return all;
+}
 
 std::string fixed(double value, int decimals) {
   char text[32];
@@ -43,7 +50,7 @@ class Picture {
         from_(std::max(0.0, v.counted_to - way)),
         half_(half_width(v)),
         scale_((width - left - right) / (to_ - from_ + 0.1 * way)),
-        canvas_(width, plot_top() + plot_height + 50.0, "voyage", style, title) {
+        canvas_(width, plot_top() + plot_height + 50.0, voyage_style(), title) {
     canvas_.text({left, 22.0}, title, Anchor::start, "title");
   }
 
@@ -134,7 +141,8 @@ std::string voyage_svg(const cycle::VoyageResult& voyage, const std::vector<Vec3
   return Picture(voyage, submersion, way, title).draw(waterline);
 }
 
-std::string voyage_style() {
+const SvgStyle& voyage_style() {
+  static const SvgStyle style("voyage", rules());
   return style;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cycle/voyage.h"
+#include "hullgen/drawing/svg_style.h"
 
 namespace icebow {
 
@@ -12,7 +13,6 @@ namespace icebow {
 std::string voyage_svg(const cycle::VoyageResult& voyage, const std::vector<Vec3>& waterline,
                        double submersion, double way, const std::string& title);
 
-// The text of its <style> element.
-std::string voyage_style();
+const SvgStyle& voyage_style();
 
 }  // namespace icebow

@@ -88,8 +88,34 @@ TEST_CASE("for print there are no CSS variables, on a screen there are") {
   CHECK(screen.find("$") == std::string::npos);
 }
 
+TEST_CASE("a reader without CSS sees the colours too") {
+  const BowParameters bow = conventional_bow();
+  const Hull hull = make_hull(bow);
+  const std::string plan = overlaid_lines_plan_svg({hull, bow, "A"}, {hull, bow, "B"}, "Both");
+  const auto all = [&](const std::string& kind, const std::string& attribute) {
+    const std::regex element("<" + kind + "[^>]*>");
+    int n = 0, with = 0;
+    for (std::sregex_iterator it(plan.begin(), plan.end(), element), end; it != end; ++it, ++n)
+      with += (*it)[0].str().find(attribute) != std::string::npos;
+    return n > 0 && n == with;
+  };
+  CHECK(all("path", " stroke=\"#"));
+  CHECK(all("text", " fill=\"#"));
+  CHECK(all("path class=\"dwl-cut\"", " stroke=\"#2485c7\"") ==
+        false);  // the second hull's is its own colour
+  CHECK(count(plan, "stroke=\"#2485c7\" stroke-width=\"2\"") == 1);
+  CHECK(all("path class=\"arc\"", " stroke=\"#d4572a\" stroke-width=\"1.6\""));
+  CHECK(all("path class=\"grid\"", " stroke-opacity=\".22\""));
+  CHECK(count(plan, "stroke=\"#8e44ad\"") > 10);
+  // What stands over the attributes is for readers that know variables.
+  CHECK(plan.find("@supports (color: var(--a)) {") == plan.find("<style>") + 7);
+  CHECK(plan.find("}\n}\n</style>") != std::string::npos);
+  CHECK(count(plan, "fill=\"none\"") == 1);  // of the drawing itself
+}
+
 TEST_CASE("a label keeps off lines where it can, and off other labels always") {
-  SvgCanvas svg(100, 100, "c", "", "t");
+  const SvgStyle plain("c", {});
+  SvgCanvas svg(100, 100, plain, "t");
   svg.line({0, 48}, {100, 46}, "buttock");
   svg.line({0, 80}, {100, 80}, "grid");  // may be covered
   CHECK(svg.label({50, 50}, "one", Anchor::middle, "n", {{0, 5}, {0, 33}}));
@@ -99,7 +125,8 @@ TEST_CASE("a label keeps off lines where it can, and off other labels always") {
 }
 
 TEST_CASE("a label that would cover another moves or is left out") {
-  SvgCanvas svg(100, 100, "c", "", "t");
+  const SvgStyle plain("c", {});
+  SvgCanvas svg(100, 100, plain, "t");
   CHECK(svg.label({50, 50}, "one", Anchor::middle, "n"));
   CHECK_FALSE(svg.label({52, 50}, "two", Anchor::middle, "n"));
   CHECK(svg.label({52, 50}, "three", Anchor::middle, "n", {{0, -20}}));

@@ -163,6 +163,61 @@ TEST_CASE("Picture: crushed ice is grey specks with water between them") {
   CHECK(grey > 20);
 }
 
+TEST_CASE("Picture: a title and a legend stand around it, and the bar is of full-scale metres") {
+  // Dark points of the bar's line, two pixels above its foot.
+  const auto bar = [](const Picture& p, int foot) {
+    int dark = 0;
+    for (int column = 0; column < p.width; ++column) {
+      const png_byte* c =
+          &p.bytes[3 * (static_cast<std::size_t>(p.height - 1 - foot - 8) * p.width + column)];
+      dark += c[0] < 60 && c[1] < 60 && c[2] < 60;
+    }
+    return dark;
+  };
+  const Folder folder;
+  PictureFrame told = frame;
+  write_top_view(folder.file("plain.png"), {}, hull, -5.0, told);
+  const Picture plain = read_png(folder.file("plain.png"), told);
+  CHECK(bar(plain, 0) == 100);  // 3 m are 600 pixels, a fifth of them holds 0.5 m
+  told.lambda = 25.0;
+  told.title = "A bow: ice from above";
+  write_top_view(folder.file("told.png"), {}, hull, -5.0, told);
+  const Picture p = read_png(folder.file("told.png"), told);
+  const int head = 16, foot = p.height - 300 - head;  // 16 dots of one pixel
+  REQUIRE(foot > 13);
+  CHECK(bar(p, foot) == 80);  // 75 m are 600 pixels, a fifth of them holds 10 m
+  int ink = 0, swatches = 0;
+  for (int row = 0; row < head; ++row)
+    for (int column = 0; column < p.width; ++column)
+      ink += p.bytes[3 * (static_cast<std::size_t>(row) * p.width + column)] < 60;
+  for (int row = p.height - foot; row < p.height; ++row)
+    for (int column = 0; column < p.width; ++column) {
+      const png_byte* c = &p.bytes[3 * (static_cast<std::size_t>(row) * p.width + column)];
+      swatches += c[0] == 176 && c[1] == 60 && c[2] == 48;  // the hull's colour
+    }
+  CHECK(ink > 100);
+  CHECK(swatches == 49);  // 7 x 7 dots
+}
+
+TEST_CASE("Picture: below the top view the centre plane is seen from the side") {
+  const Folder folder;
+  PictureFrame both = frame;
+  both.section = true;
+  write_top_view(folder.file("both.png"), sheet(stay), hull, 0.3, both);
+  const Picture p = read_png(folder.file("both.png"), both);
+  // The box is from -0.3 to 0.2 with 0.04 around it: 0.58 m of 200 pixels each.
+  REQUIRE(p.height == 300 + 116);
+  const auto at = [&](double x, double z) {
+    const int column = static_cast<int>((x + 0.5) * 200), row = 300 + static_cast<int>((0.24 - z) * 200);
+    const png_byte* c = &p.bytes[3 * (static_cast<std::size_t>(row) * p.width + column)];
+    return Rgb{c[0], c[1], c[2]};
+  };
+  CHECK(at(1.8, 0.0).brightness() > 225);         // ice: two layers about z = 0
+  CHECK(at(1.8, 0.1).brightness() > 215);         // air
+  CHECK(at(1.8, -0.2).brightness() < 90);         // sea
+  CHECK(at(0.0, -0.2).r > at(1.8, -0.2).r + 40);  // hull below the sea's level
+}
+
 TEST_CASE("Picture: an empty cloud is open water, and a bad window is refused") {
   const Picture p = draw({}, -5.0);
   CHECK(p.at(1.0, 0.0).brightness() == p.at(2.3, 0.5).brightness());
