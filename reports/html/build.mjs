@@ -16,7 +16,7 @@ async function bundled(entry) {
     minify: true,
     write: false,
     format: "iife",
-    target: ["chrome109", "firefox115", "safari16"],
+    target: ["chrome109", "firefox115", "safari16.4"],
     charset: "utf8",
     legalComments: "eof",
     loader: { ".woff2": "dataurl" },

@@ -10,6 +10,7 @@
 #include "reports/html/chart_data.h"
 #include "reports/html/content_security.h"
 #include "reports/html/overview_view.h"
+#include "reports/html/packed_text.h"
 #include "reports/html/page_template.h"
 #include "reports/html/ranking_view.h"
 #include "reports/html/report_assets.h"
@@ -123,7 +124,7 @@ Json page_view(const ReportContent& content) {
                                 ? std::to_string(all_unranked - unranked.size()) + " more are in ranking.csv."
                                 : ""},
       {"cards", cards.html},
-      {"card_bodies", json_for_script(cards.bodies)},
+      {"card_bodies", packed(json_text(cards.bodies))},
       {"method", method_view(content)},
       {"has_shared", !content.conditions.shared.empty()},
       {"shared", facts_view(content.conditions.shared, false)},

@@ -83,7 +83,7 @@ Json load_table(const Json& result) {
   rows.push_back(row_view("Standard deviation / mean", {value(result_key::std_over_mean, 2)}));
   rows.push_back(
       row_view("Time without contact", {percent(number_at(result, result_key::without_contact_share))}));
-  return table_view("Load in time", {""}, rows);
+  return table_view("Load in time", {"value"}, rows);
 }
 
 Json ice_table(const Json& result) {
@@ -93,7 +93,7 @@ Json ice_table(const Json& result) {
                           {fixed(number_at(result, result_key::floes_through_thickness), 0)}));
   rows.push_back(row_view("Broken ice in floes", {percent(number_at(result, result_key::in_floes_share))}));
   rows.push_back(row_view("Broken ice that is dust", {percent(number_at(result, result_key::dust_share))}));
-  return table_view("Pieces", {""}, rows);
+  return table_view("Pieces", {"value"}, rows);
 }
 
 Json energy_table(const Json& result) {

@@ -15,6 +15,8 @@ namespace {
 
 const char* const angle_names[] = {"stem", "waterline", "buttock", "flare"};
 constexpr std::size_t most_unranked = 200;
+constexpr std::size_t most_rows = 32,
+                      first_rows = 25;  // of a longer table the first rows alone are shown at first
 
 struct Range {
   double lower = INFINITY, upper = -INFINITY;
@@ -212,6 +214,13 @@ std::string reason_of(const Evaluation& e) {
   return "No reason was recorded.";
 }
 
+bool has_measured_angles(const ReportContent& content) {
+  return std::any_of(
+      content.study.ranking.rows.begin(), content.study.ranking.rows.end(), [](const RankedDesign& row) {
+        return std::isfinite(number_at(row.evaluation.result, result_key::measured_deg("stem")));
+      });
+}
+
 bool has_mark(const Json& row) {
   return std::any_of(row["cells"].begin(), row["cells"].end(),
                      [](const Json& c) { return !c["mark"].is_null(); });
@@ -227,10 +236,22 @@ Json ranking_view(const ReportContent& content) {
   for (std::size_t i = 0; i < content.designs.size(); ++i)
     if (content.row(i).rank > 0) rows.push_back(row_of(content, i, ranges, full));
   const std::string part = compared_part(content.study.ranking);
+  const bool marked = std::any_of(rows.begin(), rows.end(), has_mark);
+  const std::size_t all = rows.size(), shown = all <= most_rows ? all : first_rows;
+  Json more = Json::array();
+  for (std::size_t i = shown; i < all; ++i) more.push_back(std::move(rows[i]));
+  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(shown), rows.end());
   return {{"columns", columns_of(content)},
           {"rows", rows},
+          {"has_more", !more.empty()},
+          {"more_rows", more},
+          {"shown", shown},
+          {"all", all},
+          {"angles_from", has_measured_angles(content)
+                              ? "Angles are measured on the hull mesh"
+                              : "Angles are those asked for: the formula alone makes no hull"},
           {"has_ties", content.has_loads()},
-          {"has_marks", std::any_of(rows.begin(), rows.end(), has_mark)},
+          {"has_marks", marked},
           {"compared", part == "total" ? "total" : part + " part"}};
 }
 

@@ -5,7 +5,7 @@
 
 namespace icebow {
 
-// "columns", "rows", "has_ties", "has_marks", "compared".
+// "columns", "rows" and, of a long table, "more_rows", "has_ties", "has_marks", "compared", "angles_from".
 Json ranking_view(const ReportContent& content);
 Json unranked_view(const ReportContent& content);  // a list
 // Three leading designs as the first screen shows them: a list.

@@ -1,6 +1,8 @@
 """Opens sample reports in headless Chromium: no script error, every chart drawn, the page's interactions work.
 
-    browser_test.py WRITE_SAMPLE_REPORT
+    browser_test.py WRITE_SAMPLE_REPORT AXE_MIN_JS ICEBOW
+
+axe-core looks at every page in light and dark: what it finds fails the test.
 """
 
 import base64
@@ -20,6 +22,8 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
 FULL = {"chart-loads", "chart-scatter", "chart-parallel", "chart-angles", "chart-effects", "chart-response", "chart-history",
         "chart-compare"}
 CHARTS = {"": FULL, "unfinished": FULL,
+          "many": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"},
+          "cycle": FULL - {"chart-effects", "chart-response"},
           "formula": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"}}
 
 # What a reader does, in the page itself; each line of `done` is a check that held.
@@ -70,11 +74,56 @@ const until = async (holds) => { for (let k = 0; k < 200 && !holds(); ++k) await
 """
 
 
-def page_in_browser(browser, html):
+# axe-core's findings, each with its first place.
+AXE = """
+(async () => {
+  for (let k = 0; k < 400 && !document.documentElement.dataset.ready; ++k) await new Promise((go) => setTimeout(go, 20));
+  document.getElementById("open-all")?.click();
+  const { violations } = await axe.run(document, { resultTypes: ["violations"] });
+  return violations.map((v) => `${v.id}: ${v.help} (${v.nodes.length} places, ${v.nodes[0].target}: ${v.nodes[0].failureSummary.replace(/\\s+/g, " ")})`);
+})().catch((error) => [`axe did not run: ${error}`]).then((found) => {
+  document.documentElement.dataset.axe = found.length ? found.join(" | ").replaceAll('"', "'") : "nothing";
+});
+"""
+
+
+# The same on a page of many designs.
+READER_OF_MANY = """
+const done = [], $ = (id) => document.getElementById(id);
+const check = (what, holds) => done.push(`${holds ? "ok" : "FAILED"} ${what}`);
+const until = async (holds) => { for (let k = 0; k < 200 && !holds(); ++k) await new Promise((go) => setTimeout(go, 20)); };
+const rows = () => document.querySelectorAll("table.ranking tbody tr");
+(async () => {
+  await until(() => document.documentElement.dataset.ready);
+  check("a long table shows its first rows", rows().length === 25);
+  const last = [...document.querySelectorAll("details.card")].at(-1);
+  check("a late card is empty", last.querySelector(".card-body").childElementCount === 0);
+  location.hash = last.id;
+  await until(() => last.open);
+  check("it is filled when it opens", /Lindqvist's formula/.test(last.textContent));
+  document.querySelector("table.ranking button.sort").click();
+  check("a table that is sorted is whole", rows().length === 41 && !$("show-all-rows"));
+})().catch((error) => done.push(`FAILED ${error}`)).finally(() => { document.documentElement.dataset.reader = done.join("|"); });
+"""
+
+
+def page_in_browser(browser, html, address="#charts=all"):
     with tempfile.TemporaryDirectory() as profile:
-        command = [browser, *FLAGS, "--user-data-dir=" + profile, "file://" + html + "#charts=all"]
+        command = [browser, *FLAGS, "--user-data-dir=" + profile, "file://" + html + address]
         result = subprocess.run(command, capture_output=True, text=True, timeout=100)
     return result.stdout
+
+
+def write_study(kind, study, directory):
+    """A made-up study; "cycle" is a real one, with the process of the breaking in its cards; "many" has 41 designs."""
+    if kind not in ("cycle", "many"):
+        subprocess.run([sys.argv[1], study, kind], check=True)
+        return
+    file = os.path.join(directory, f"{kind}.json")
+    ship = ["--length", "110", "--beam", "22", "--draft", "7.5", "--thickness", "0.8", "--speed", "3", "--samples", "3" if kind == "cycle" else "40"]
+    asked = [] if kind == "cycle" else ["--set", '/evaluators=["lindqvist"]', "--set", "/ranking={\"by\": \"lindqvist_breaking\"}"]
+    subprocess.run([sys.argv[3], "new", file, *ship], check=True, capture_output=True)
+    subprocess.run([sys.argv[3], "run", file, "--out", study, *asked], check=True, capture_output=True)
 
 
 def with_reader(html, script):
@@ -86,6 +135,17 @@ def with_reader(html, script):
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace("</body>", f"<script>{script}</script></body>"))
     return path
+
+
+def findings_of(browser, html, axe):
+    """What axe-core finds in light and in dark."""
+    page = with_reader(html, axe + AXE)
+    found = []
+    for theme in ("light", "dark"):
+        said = re.search(r'data-axe="([^"]*)"', page_in_browser(browser, page, f"#charts=all&theme={theme}"))
+        if not said or said[1] != "nothing":
+            found.append(f"axe-core, {theme}: {said[1] if said else 'did not run'}")
+    return found
 
 
 def mistakes_of(dom, charts):
@@ -111,19 +171,24 @@ def main():
         print("skipped: no Chromium on the path; install it to test the report's scripts")
         return SKIPPED
     failed = False
+    with open(sys.argv[2], encoding="utf-8") as file:
+        axe = file.read()
     with tempfile.TemporaryDirectory() as directory:
         for kind, charts in CHARTS.items():
             study = os.path.join(directory, kind or "finished")
-            subprocess.run([sys.argv[1], study, kind], check=True)
+            write_study(kind, study, directory)
             html = os.path.join(study, "report.html")
-            mistakes = mistakes_of(page_in_browser(browser, html), charts)
+            mistakes = mistakes_of(page_in_browser(browser, html), charts) + findings_of(browser, html, axe)
             print(kind or "finished", "ok" if not mistakes else mistakes)
             failed = failed or bool(mistakes)
-            if kind:
+            if kind not in ("", "many"):
                 continue
-            with open(os.path.join(study, "ranking.csv"), encoding="utf-8", newline="") as file:
-                p_best = next(row["p_best"] for row in csv.DictReader(file) if row["design"] == "high flare")
-            dom = page_in_browser(browser, with_reader(html, READER.replace("P_VALUE", p_best)))
+            reader = READER_OF_MANY
+            if not kind:
+                with open(os.path.join(study, "ranking.csv"), encoding="utf-8", newline="") as file:
+                    p_best = next(row["p_best"] for row in csv.DictReader(file) if row["design"] == "high flare")
+                reader = READER.replace("P_VALUE", p_best)
+            dom = page_in_browser(browser, with_reader(html, reader))
             done = re.search(r'data-reader="([^"]*)"', dom)
             steps = done[1].split("|") if done else ["FAILED: the reader's script did not run"]
             print("\n".join(steps))

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "reports/html/html_report.h"
+#include "reports/html/packed_text.h"
 #include "reports/tables/table_report.h"
 #include "study/store/store.h"
 #include "tests/support/sample_study.h"
@@ -163,7 +164,9 @@ TEST_CASE("cards beyond the first ones wait in the data of the page") {
   const std::string html = sample_html();
   const std::size_t begin = html.find("id=\"icebow-cards\">");
   REQUIRE(begin != std::string::npos);
-  CHECK(html.compare(begin, 21, "id=\"icebow-cards\">{}<") == 0);  // ten designs stand in the page whole
+  const std::string none =
+      "id=\"icebow-cards\">" + packed("{}") + "<";  // ten designs stand in the page whole
+  CHECK(html.compare(begin, none.size(), none) == 0);
 }
 
 TEST_CASE("results with next to nothing in them still make a page") {

@@ -33,8 +33,14 @@ function setUpLightbox() {
   box.addEventListener("click", (event) => { if (event.target !== image) box.close(); });
 }
 
-export function setUpCards(resize) {
-  bodies = JSON.parse(document.getElementById("icebow-cards").textContent);
+// The cards of the later ranks are deflated in the page.
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+}
+
+export async function setUpCards(resize) {
+  bodies = await unpacked(document.getElementById("icebow-cards").textContent);
   openTarget();
   addEventListener("hashchange", openTarget);
   addEventListener("resize", resize);

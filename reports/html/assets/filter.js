@@ -1,4 +1,5 @@
 // The table keeps the chosen designs only; the number of them and the ranges stand above it.
+import { allRows, unfold } from "./folding.js";
 import { chooseAll, chooseName, isChoosing, isChosen, onChoice, rangesInWords } from "./selection.js";
 
 export function setUpFilter(data) {
@@ -7,11 +8,12 @@ export function setUpFilter(data) {
   const name = document.getElementById("filter-name"), said = document.getElementById("filter-said");
   const clear = document.getElementById("filter-clear");
   const byId = new Map(data.designs.map((design) => [design.id, design]));
-  const rows = [...document.querySelectorAll("table.ranking tbody tr")];
+  const rows = allRows();
   form.addEventListener("submit", (event) => event.preventDefault());
   name.addEventListener("input", () => chooseName(name.value));
   clear.addEventListener("click", () => { name.value = ""; chooseAll(); });
   onChoice(() => {
+    if (isChoosing()) unfold();
     let shown = 0;
     for (const row of rows) {
       const on = isChosen(byId.get(row.dataset.design));

@@ -3,6 +3,7 @@ import { redrawCharts, resizeCharts, setUpCharts } from "./charts/charts.js";
 import { setUpCards } from "./cards.js";
 import { setUpDownloads } from "./downloads.js";
 import { setUpFilter } from "./filter.js";
+import { setUpFolding } from "./folding.js";
 import { setUpSorting } from "./sorting.js";
 import { setUpTheme } from "./theme.js";
 
@@ -18,8 +19,9 @@ window.addEventListener("unhandledrejection", (event) => report(event.reason));
 async function start() {
   const data = JSON.parse(document.getElementById("icebow-data").textContent);
   setUpTheme(redrawCharts);
+  setUpFolding();
   setUpSorting();
-  setUpCards(resizeCharts);
+  await setUpCards(resizeCharts);
   setUpDownloads(data);
   setUpFilter(data);
   // Labels are measured when drawn: the typeface has to be there.

@@ -1,4 +1,6 @@
 // Tables sort by the data-sort of their cells: numbers by value, the rest by name; what is unknown goes last.
+import { unfold } from "./folding.js";
+
 function keyOf(row, column) {
   const key = row.cells[column].dataset.sort;
   if (key === undefined || key === "") return null;
@@ -26,6 +28,7 @@ export function setUpSorting() {
     heads[0]?.setAttribute("aria-sort", "ascending");
     for (const head of heads) {
       head.querySelector("button")?.addEventListener("click", () => {
+        if (table.matches(".ranking")) unfold();
         const ascending = head.getAttribute("aria-sort") !== "ascending";
         heads.forEach((other) => other.removeAttribute("aria-sort"));
         head.setAttribute("aria-sort", ascending ? "ascending" : "descending");

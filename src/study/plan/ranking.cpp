@@ -179,8 +179,9 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
     words.push_back((sentence.empty() ? "resolution bias: not known for this spacing" : sentence) +
                     ". On a finer lattice, loads and their order may change by more than the intervals say");
   if (!biased.empty())
-    words.push_back("the difference to the best design is smaller than the resolution bias of the lattice: " +
-                    listed_names(biased));
+    words.push_back(
+        "the difference to the best design is smaller than what the method's resolution may change: " +
+        listed_names(biased));
   // Once for each ice.
   std::vector<std::string> ices;
   for (std::size_t i = 0; i < ranked; ++i) {
