@@ -153,7 +153,7 @@ TEST_CASE("a ranking warns of differences below the intervals and below the reso
       {with_bias(run("a", 100, 1)), with_bias(run("b", 110, 1)), with_bias(run("c", 150, 1))}, "mean_load");
   CHECK_FALSE(mention(known, "not known"));
   CHECK_FALSE(mention(known, "intervals"));
-  CHECK(mention(known, "resolution bias of the lattice: b"));
+  CHECK(mention(known, "resolution may change: b"));
   CHECK_FALSE(mention(known,
                       "c"
                       ", "));
