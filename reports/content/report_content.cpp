@@ -59,6 +59,9 @@ bool is_png(const std::string& path) {
   return std::string(head, 8) == "\x89PNG\r\n\x1a\n";
 }
 
+constexpr int most_animations = 2;                       // likewise
+constexpr std::uintmax_t largest_animation = 1'500'000;  // bytes
+
 constexpr int most_voyages = 5;  // in a page: of the first ranks
 
 std::string lines_plan(const std::string& file, const std::string& id) {
@@ -80,6 +83,11 @@ std::vector<Picture> pictures_of(const DesignFiles& files, const Json& result) {
   return pictures;
 }
 
+// The file, where it is one a page can carry.
+std::string animation(const std::string& file) {
+  return !file.empty() && is_png(file) && fs::file_size(file) <= largest_animation ? file : "";
+}
+
 DesignContent read_design(const StudyResults& study, std::size_t index) {
   const Evaluation& e = study.ranking.rows[index].evaluation;
   const DesignFiles files(study.directory, e.name);
@@ -93,6 +101,8 @@ DesignContent read_design(const StudyResults& study, std::size_t index) {
   if (rank > 0 && rank <= most_voyages)
     design.voyage = lines_plan(files.named(e.result, "voyage", "voyage.svg"), design.id + "-voyage");
   design.pictures = pictures_of(files, e.result);
+  if (rank > 0 && rank <= most_animations)
+    design.animation = animation(files.named(e.result, "animation", "breaking.png"));
   return design;
 }
 

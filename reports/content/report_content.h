@@ -26,6 +26,7 @@ struct DesignContent {
   std::string lines_plan;  // <svg> with ids of its own
   std::string voyage;      // <svg> of the breaking cycle; of the first ranks only
   std::vector<Picture> pictures;
+  std::string animation;  // a file; empty: none, or not among the first ranks
   std::size_t pictures_left_out = 0;
   bool drawings_left_out = false;     // lines plan and voyage, to keep the page small
   std::vector<LoadSeries> histories;  // full scale, one a run

@@ -329,6 +329,7 @@ Json card_body_view(const ReportContent& content, std::size_t i) {
                            ? ""
                            : std::to_string(design.pictures_left_out) +
                                  " more in the design's directory; left out to keep this file small."},
+          {"animation", design.animation.empty() ? "" : base64(read_text_file(design.animation))},
           {"has_margins", !margins.empty()},
           {"margins", margins},
           {"fact_lists", fact_lists(ranked, lambda)},

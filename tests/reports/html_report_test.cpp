@@ -160,6 +160,11 @@ TEST_CASE("what the study simulates is told as the study has it") {
   CHECK_FALSE(holds(html, "measured mean load"));
 }
 
+TEST_CASE("the breaking of the two best designs can be played") {
+  const std::string html = sample_html();
+  CHECK(count(html, "<details class=\"animation screen\">") == 2);
+}
+
 TEST_CASE("cards beyond the first ones wait in the data of the page") {
   const std::string html = sample_html();
   const std::size_t begin = html.find("id=\"icebow-cards\">");

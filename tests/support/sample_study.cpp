@@ -178,6 +178,8 @@ void write_files(const std::string& directory, const SampleBow& bow, const Sampl
   write_text_file(directory + "/history.csv", history_csv(bow, options.history_rows, seed));
   result["files"]["history"] = "history.csv";
   result["files"]["pictures"] = Json::array();
+  write_sample_picture(directory + "/breaking.png", options.picture_width, 2.5, seed);
+  result["files"]["animation"] = "breaking.png";
   for (int k = 0; k < 3; ++k) {
     const std::string file = "ice_00" + std::to_string(k) + ".png";
     const double advance = 2.5 * (k + 1) / 3;
