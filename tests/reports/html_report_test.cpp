@@ -108,7 +108,7 @@ TEST_CASE("the data in the page is that of the store, full scale") {
 
 TEST_CASE("pictures and lines plans are inside the page") {
   const std::string html = sample_html();
-  CHECK(count(html, "src=\"data:image/png;base64,iVBOR") == 30);
+  CHECK(count(html, "src=\"data:image/png;base64,iVBOR") == 30 + 2);  // three of each, two animations
   CHECK(count(html, "<svg xmlns=") == 10);
   CHECK(count(html, "Content-Security-Policy") == 1);
   CHECK(count(html, "default-src 'none'; script-src 'sha256-") == 1);
