@@ -7,10 +7,10 @@
 #include <iterator>
 #include <thread>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
-#include "study/run/child_process.h"
 #include "study/run/failure.h"
 #include "study/run/runner.h"
 #include "study/store/design_files.h"

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "study/run/child_process.h"
+#include "base/child_process.h"
 #include "study/store/store.h"
 #include "tests/support/fake_study.h"
 

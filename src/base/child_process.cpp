@@ -1,4 +1,4 @@
-#include "study/run/child_process.h"
+#include "base/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
