@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,22 +38,35 @@ struct Pipe {
 };
 
 // Between fork and exec: system calls only. Never returns.
-[[noreturn]] void become(char* const* arguments, char* const* environment, int log, int output, int trouble,
-                         pid_t parent, int death_signal) {
+[[noreturn]] void become(char* const* arguments, char* const* environment, const char* directory, int input,
+                         int log, int output, int trouble, pid_t parent, int death_signal) {
   setpgid(0, 0);
   if (death_signal != 0) prctl(PR_SET_PDEATHSIG, death_signal);
   if (getppid() != parent) _exit(127);  // it died before the line above
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, 0);
+  dup2(input, 0);
   dup2(output, 1);
   dup2(log, 2);
-  execvpe(arguments[0], arguments, environment);
+  if (*directory == '\0' || chdir(directory) == 0) execvpe(arguments[0], arguments, environment);
   const int error = errno;
   if (write(trouble, &error, sizeof error) < 0) _exit(126);
   _exit(127);
+}
+
+// A file in memory: a pipe would want somebody to fill it while the child reads.
+int file_of(const std::string& input) {
+  if (input.empty()) return ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const int file = memfd_create("icebow_input", MFD_CLOEXEC);
+  std::size_t done = 0;
+  while (file >= 0 && done < input.size()) {
+    const ssize_t n = ::write(file, input.data() + done, input.size() - done);
+    if (n <= 0) throw RuntimeError(std::string("no input for a child: ") + std::strerror(errno));
+    done += static_cast<std::size_t>(n);
+  }
+  lseek(file, 0, SEEK_SET);
+  return file;
 }
 
 bool starts_with(const std::string& text, const char* prefix) {
@@ -67,15 +81,16 @@ ChildProcess::ChildProcess(const ChildCommand& command) : start_(Clock::now()) {
                            environment = pointers(command.environment);
   const int log = ::open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (log < 0) throw RuntimeError(command.log + ": cannot be written: " + std::strerror(errno));
+  const int input = file_of(command.input);
   const Pipe output, trouble;
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    become(arguments.data(), environment.data(), log, output.write, trouble.write, parent,
-           command.ends_with_us ? SIGTERM : 0);
+    become(arguments.data(), environment.data(), command.directory.c_str(), input, log, output.write,
+           trouble.write, parent, command.ends_with_us ? SIGTERM : 0);
   }
   const int fork_error = errno;
-  for (const int file : {log, output.write, trouble.write}) ::close(file);
+  for (const int file : {input, log, output.write, trouble.write}) ::close(file);
   int error = pid_ < 0 ? fork_error : 0;
   if (pid_ > 0) {
     setpgid(pid_, pid_);                                             // whichever of the two comes first
@@ -113,6 +128,7 @@ std::vector<std::string> ChildProcess::read_lines() {
     lines.push_back(partial_line_.substr(0, end));
     partial_line_.erase(0, end + 1);
   }
+  if (n == 0 && !partial_line_.empty()) lines.push_back(std::exchange(partial_line_, ""));
   return lines;
 }
 

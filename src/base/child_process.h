@@ -14,6 +14,8 @@ struct ChildCommand {
   std::vector<std::string> arguments;    // the program first, looked up in PATH
   std::vector<std::string> environment;  // "NAME=value"
   std::string log;                       // takes its stderr
+  std::string input;                     // what it reads on its stdin; empty: nothing
+  std::string directory;                 // where it runs; empty: where this process is
   bool ends_with_us = true;              // the kernel ends it when this process dies, however that happens
 };
 
@@ -26,7 +28,7 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   int output() const { return output_; }  // file descriptor of its stdout, for poll(); -1 once it is closed
-  std::vector<std::string> read_lines();  // whole lines that have come since
+  std::vector<std::string> read_lines();  // whole lines that have come since, and at the end what is left
   bool running();                         // false once it has ended; the exit status is then known
   double seconds() const;                 // since the start
 

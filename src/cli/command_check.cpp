@@ -178,7 +178,9 @@ int run_check(const Communicator&, const Arguments& arguments) {
   text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(box) +
           operation_line(spec.baseline);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
-          (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "") + "\n";
+          (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "");
+  for (const ProgramEvaluator& program : spec.programs) text += " " + program.name + " (a program)";
+  text += "\n";
   if (spec.confirm.given())
     text += "then the best " + std::to_string(spec.confirm.best) + " and " +
             std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";

@@ -26,6 +26,13 @@ CONDITIONS = {"bow": [
     {"key": "family", "is": "semi_spoon_chines", "then": ([], []), "else": ([], ["chine"])}],
     "ice": [{"key": "model", "is": "paper", "then": ([], []),
              "else": ([], ["fracture_toughness", "critical_stretch"])}]}
+PROGRAM = {"description": "a program that evaluates", "type": "object", "additionalProperties": False,
+           "required": ["name", "command"], "properties": {
+               "name": {"type": "string", "pattern": "^[A-Za-z0-9_]{1,40}$", "not": {"enum": ["lindqvist", "cycle", "peridynamics"]}},
+               "command": {"type": "array", "minItems": 1, "items": {"type": "string"},
+                           "prefixItems": [{"type": "string", "minLength": 1}]},
+               "time_limit_s": {"type": "number", "exclusiveMinimum": 0, "maximum": 1e8}}}
+RANKED_BY = ["mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"]
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
 SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
@@ -158,7 +165,9 @@ def make_schema(table):
     top = properties(keys, "")
     top.update({s: section_schema(keys, s) for s in SECTIONS})
     top["evaluators"] = {"description": "default lindqvist and peridynamics", "type": "array", "minItems": 1, "uniqueItems": True,
-                         "items": {"enum": ["lindqvist", "cycle", "peridynamics"]}}
+                         "items": {"anyOf": [{"enum": ["lindqvist", "cycle", "peridynamics"]}, PROGRAM]}}
+    by = top["ranking"]["properties"]["by"]
+    by["anyOf"] = [{"enum": RANKED_BY}, {"pattern": "^/.+_N$"}]
     top["designs"] = designs_schema(table)
     top["method"] = method_schema(table)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "urn:icebow:study:1",
@@ -190,6 +199,8 @@ def key_table(table):
                        "text": "text"}.get(k["type"]) or first["range"]
             if k["name"] == "algorithm":
                 allowed = "see Methods"
+            if (section, k["name"]) == ("ranking", "by"):
+                allowed = ", ".join(f"`{c}`" for c in RANKED_BY) + ", or a pointer"
             others = ", ".join(f"`{s['key'][len(k['name']):]}`" for s in k["spellings"][1:])
             lines.append(f"| `{first['key']}`{' (' + others + ')' if others else ''} | {allowed} | "
                          f"{'**required**' if k['required'] else k['default']} | {k['meaning']} |")

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "study/spec/spec_case.h"
+#include "study/spec/spec_designs.h"
 
 namespace icebow {
 
@@ -15,7 +16,10 @@ Evaluators evaluators_of(const Json& document) {
   const auto has = [&](const char* name) {
     return std::find(list.begin(), list.end(), Json(name)) != list.end();
   };
-  return {has("lindqvist"), has("peridynamics"), has("cycle")};
+  Evaluators asked{has("lindqvist"), has("peridynamics"), has("cycle")};
+  for (const Json& entry : list)
+    if (const auto program = program_of(entry)) asked.programs.push_back(*program);
+  return asked;
 }
 
 Design read_design(const std::string& name, Json document, std::map<std::string, double> parameters) {

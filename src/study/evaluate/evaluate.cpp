@@ -22,6 +22,7 @@
 #include "study/evaluate/history_csv.h"
 #include "study/evaluate/patch_tests.h"
 #include "study/evaluate/process_json.h"
+#include "study/evaluate/program_evaluator.h"
 #include "study/evaluate/provenance.h"
 #include "study/evaluate/resolution_bias.h"
 #include "study/evaluate/result_json.h"
@@ -154,6 +155,44 @@ Ending run_voyages(Work& work) {
   return {};
 }
 
+// As the root has run it; every rank gets the same, or throws the same.
+Json program_on_root(Work& work, const ProgramEvaluator& program) {
+  Json told = Json::object();
+  if (work.comm.is_root()) {
+    try {
+      const ProgramOutcome o = run_program(program, program_input(work.given(), work.design.name),
+                                           work.options.directory, work.options.stop);
+      told = {{"output", o.output},
+              {"reason", o.reason},
+              {"infeasible", o.infeasible},
+              {"timed_out", o.timed_out},
+              {"interrupted", o.interrupted}};
+    } catch (const std::exception& error) {
+      told["machine"] = error.what();
+    }
+  }
+  told = Json::parse(work.comm.broadcast(json_text(told)));
+  if (told.contains("machine"))
+    throw RuntimeError("the evaluator \"" + program.name + "\": " + told.at("machine").get<std::string>());
+  return told;
+}
+
+Ending run_programs(Work& work) {
+  for (const ProgramEvaluator& program : work.design.asked.programs) {
+    const Json told = program_on_root(work, program);
+    if (told.at("interrupted").get<bool>()) return {EvaluationStatus::running, "interrupted"};
+    const std::string reason = told.at("reason").get<std::string>();
+    if (told.at("infeasible").get<bool>())
+      return {EvaluationStatus::infeasible, program.name + ": " + reason};
+    if (told.at("timed_out").get<bool>())
+      work.result["failure"] = {
+          {"cause", "time limit"}, {"program", program.name}, {"time_limit_s", program.time_limit}};
+    if (!reason.empty()) return failed("the evaluator \"" + program.name + "\" " + reason);
+    work.result["programs"][program.name] = told.at("output");
+  }
+  return {};
+}
+
 // A hull and voyages take a while.
 Ending look_for_stop(Work& work) {
   const bool stop = work.comm.is_root() && work.options.stop && work.options.stop();
@@ -256,6 +295,7 @@ Ending judge(Work& work) {
     const std::string reason = result.at("cycle").at("reason").get<std::string>();
     return reason.empty() ? Ending{} : failed(reason);
   }
+  if (!work.design.asked.programs.empty()) return {};
   const Json& formula = result.at("lindqvist");
   return formula.at("valid").get<bool>() ? Ending{} : failed(formula.at("reason").get<std::string>());
 }
@@ -316,7 +356,7 @@ Evaluation evaluate(const Communicator& comm, const Design& design, const Evalua
   if (work.writes()) act_on_root(comm, [&] { std::filesystem::create_directories(options.directory); });
   Ending ending;
   for (const auto step :
-       {read, measure_hull, apply_formula, run_voyages, look_for_stop, run_simulation, judge}) {
+       {read, measure_hull, apply_formula, run_programs, run_voyages, look_for_stop, run_simulation, judge}) {
     ending = step(work);
     if (ending.status != EvaluationStatus::ok) break;
   }

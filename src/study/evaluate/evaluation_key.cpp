@@ -5,6 +5,7 @@
 #include "solver/model/describe_scenario.h"
 #include "solver/model/described_text.h"
 #include "study/evaluate/calibration.h"
+#include "study/evaluate/program_evaluator.h"
 #include "study/spec/case_hull.h"
 
 namespace icebow {
@@ -149,7 +150,9 @@ std::string evaluation_text(const Case& c, const Evaluators& asked) {
   text.field("use_peridynamics", asked.peridynamics);
   reads_lattice(c, asked) ? describe_case(text, c) : describe_ship_in_ice(text, c);
   if (asked.cycle) describe_cycle(text, c.cycle);
-  return text.str();
+  std::string programs;
+  for (const ProgramEvaluator& program : asked.programs) programs += program_text(program);
+  return text.str() + programs;
 }
 
 std::string evaluation_key(const Case& c, const Evaluators& asked) {

@@ -165,7 +165,7 @@ Design baseline_of(const StudySpec& spec) {
   return {"baseline",
           document_of_one(spec),
           parameters_of(spec, spec.document),
-          {spec.use_lindqvist, spec.use_peridynamics, spec.use_cycle},
+          {spec.use_lindqvist, spec.use_peridynamics, spec.use_cycle, spec.programs},
           spec.baseline,
           ""};
 }

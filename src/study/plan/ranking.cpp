@@ -37,7 +37,8 @@ bool is_whole_load(const Json& result) {
 
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
 double half_width(const RankedDesign& row, const std::string& rank_by) {
-  if (rank_by == "lindqvist_breaking") return 0.0;
+  if (rank_by == "lindqvist_breaking" || rank_by.rfind("/programs/", 0) == 0) return 0.0;
+  if (rank_by[0] == '/') return nan_value;
   if (rank_by == "cycle_load") return row.cycle_ci95;
   const double half = std::isfinite(row.difference_ci95) ? row.difference_ci95 : row.mean_load_ci95;
   return rank_by == "mean_load_per_beam" ? half / beam(row.evaluation.result) : half;
@@ -287,6 +288,7 @@ Json confirmed_json(const RatioFit& fit) {
 }  // namespace
 
 double ranking_value(const Evaluation& e, const std::string& rank_by) {
+  if (rank_by[0] == '/') return e.status == EvaluationStatus::ok ? number_at(e.result, rank_by) : nan_value;
   if (rank_by != "mean_load" && rank_by != "mean_load_per_beam" && rank_by != "cycle_load" &&
       rank_by != "lindqvist_breaking") {
     throw InputError("cannot rank by \"" + rank_by +

@@ -32,13 +32,15 @@ Json crash_failure() {
   return {{"cause", crash}, {"version", program_version()}};
 }
 
-std::string changed_since(const Evaluation& failed, const Execution& now) {
-  const std::string cause = cause_of(failed);
+std::string changed_since(const Evaluation& failed, const Execution& now, const Evaluators& asked) {
+  const std::string cause = cause_of(failed), program = text_at(failed.result, "/failure/program");
   const double before = number_at(failed.result, "/failure/time_limit_s");
-  if (cause == time_limit && now.time_limit_s == 0.0)
-    return text("the time limit of %g s was taken away", before);
-  if (cause == time_limit && now.time_limit_s > before)
-    return text("the time limit was raised from %g to %g s", before, now.time_limit_s);
+  double limit = now.time_limit_s;
+  for (const ProgramEvaluator& one : asked.programs)
+    if (one.name == program) limit = one.time_limit;
+  if (cause == time_limit && limit == 0.0) return text("the time limit of %g s was taken away", before);
+  if (cause == time_limit && limit > before)
+    return text("the time limit was raised from %g to %g s", before, limit);
   const std::string version = text_at(failed.result, "/failure/version");
   if (cause == crash && version != program_version())
     return "it crashed version " + version + " of the program, this is " + program_version();

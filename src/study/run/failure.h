@@ -1,8 +1,8 @@
 // Failures whose cause lies around a design, not in it. The cause is kept with the result, so the design is
 // tried again once the cause has changed.
 //
-// In a result: "failure": {"cause": "time limit", "time_limit_s": 60} or {"cause": "crash", "version":
-// "0.1"}.
+// In a result: "failure": {"cause": "time limit", "time_limit_s": 60}, with "program" where it is that of an
+// evaluator, or {"cause": "crash", "version": "0.1"}.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ Json crash_failure();
 
 // What has changed since `failed` failed, in words, such that the design deserves another attempt; empty
 // where it would fail again.
-std::string changed_since(const Evaluation& failed, const Execution& now);
+std::string changed_since(const Evaluation& failed, const Execution& now, const Evaluators& asked);
 
 // Whether another attempt goes on from the design's checkpoint.
 bool goes_on_later(const Evaluation& failed);

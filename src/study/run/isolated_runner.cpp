@@ -115,9 +115,9 @@ bool IsolatedRunner::is_infeasible(const Design& design) const {
   return has_violated_margin(context_.settings.margins(design.given.value()));
 }
 
-// The cycle takes a second: a process of its own would cost as much again.
+// The cycle takes a second, and a program is a process already: another one would cost as much again.
 bool IsolatedRunner::is_quick(const Design& design) const {
-  return design.asked.cycle && !design.asked.peridynamics;
+  return !design.asked.peridynamics && !design.asked.formula_alone();
 }
 
 Evaluation IsolatedRunner::evaluated_here(const Design& design, const std::string& directory) const {

@@ -51,7 +51,7 @@ class StudyLoop {
 
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
-  bool fails_again(const Evaluation& stored);
+  bool fails_again(const PlannedDesign& planned, const Evaluation& stored);
   void adopt(const PlannedDesign& planned);
   bool is_far_enough(const PlannedDesign& planned, Evaluation& stored);
   bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
@@ -274,7 +274,7 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
         "crashed twice: the program was lost each time while it evaluated this design, last by " +
         crashes.last + " (--retry-failed tries it again)";
   }
-  if (stored->status == EvaluationStatus::failed && !fails_again(*stored)) {
+  if (stored->status == EvaluationStatus::failed && !fails_again(planned, *stored)) {
     store_.remove(planned.key);
     return false;
   }
@@ -288,9 +288,9 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   return true;
 }
 
-bool StudyLoop::fails_again(const Evaluation& stored) {
+bool StudyLoop::fails_again(const PlannedDesign& planned, const Evaluation& stored) {
   if (settings_.retry_failed) return false;
-  const std::string changed = changed_since(stored, spec_.execution);
+  const std::string changed = changed_since(stored, spec_.execution, planned.design.asked);
   if (!changed.empty()) outcome_.notes.push_back(stored.name + " is tried again: " + changed);
   return changed.empty();
 }

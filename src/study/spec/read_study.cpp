@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/printable.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_designs.h"
 #include "study/spec/spec_hints.h"
@@ -14,7 +15,33 @@
 namespace icebow {
 namespace {
 
+// A load of a result by its pointer.
+void check_ranking_pointer(const StudySpec& spec, Mistakes& mistakes) {
+  const std::string& by = spec.rank_by;
+  const auto mistake = [&](const std::string& message) {
+    mistakes.push_back({"/ranking/by", "is \"" + by + "\", " + message});
+  };
+  if (by.size() < 4 || by.compare(by.size() - 2, 2, "_N") != 0)
+    return mistake("a number that is no load: the keys of loads end in _N, in newtons at full scale");
+  if (by.rfind("/programs/", 0) != 0) return;
+  const std::string name = by.substr(10, by.find('/', 10) - 10);
+  std::vector<std::string> names;
+  for (const ProgramEvaluator& program : spec.programs) names.push_back(program.name);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    mistake("which needs a program of the name \"" + name + "\" in /evaluators" + did_you_mean(name, names));
+}
+
 void check_ranking(const StudySpec& spec, const Section& ranking, Mistakes& mistakes) {
+  if (spec.rank_by[0] == '/') return check_ranking_pointer(spec, mistakes);
+  const std::vector<std::string> known = {"mean_load", "mean_load_per_beam", "cycle_load",
+                                          "lindqvist_breaking"};
+  if (std::find(known.begin(), known.end(), spec.rank_by) == known.end()) {
+    mistakes.push_back({ranking.pointer("by"),
+                        "is \"" + shortened(printable(spec.rank_by), 40) + "\", must be one of " +
+                            listed(known) + did_you_mean(spec.rank_by, known) +
+                            ", or a pointer to a load of a result, like /programs/yard/resistance_N"});
+    return;
+  }
   const bool formula = spec.rank_by == "lindqvist_breaking", cycle = spec.rank_by == "cycle_load";
   if (formula ? spec.use_lindqvist : spec.use_cycle || (!cycle && spec.use_peridynamics)) return;
   mistakes.push_back({ranking.pointer("by"), std::string("is \"") + spec.rank_by + "\", which needs \"" +
@@ -133,6 +160,7 @@ StudySpec read_study(const Json& document, const std::string& name) {
   }
   Json resolved = document;
   resolve_hull_files(resolved, name);
+  resolve_program_files(resolved, name);
   StudySpec spec = parse_study(resolved, name, mistakes);
   if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
   return spec;

@@ -1,6 +1,9 @@
 #include "study/spec/spec_designs.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "study/spec/design_name.h"
@@ -95,6 +98,36 @@ NamedDesign parse_design(const CaseMistakes& baseline, const Json& design, const
   return named;
 }
 
+void check_program(const Json& entry, const std::string& at, Mistakes& mistakes) {
+  const std::vector<std::string> keys = {"name", "command", "time_limit_s"};
+  for (const auto& item : entry.items())
+    if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
+      mistakes.push_back({at + "/" + item.key(), "is not a key of a program that evaluates" +
+                                                     did_you_mean(item.key(), keys) + "; it has " +
+                                                     listed(keys)});
+  const Json name = entry.value("name", Json()), command = entry.value("command", Json()),
+             limit = entry.value("time_limit_s", Json(600.0));
+  const auto plain = [](const std::string& text) {
+    return !text.empty() && text.size() <= 40 &&
+           std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  };
+  if (!name.is_string() || !plain(name.get<std::string>()))
+    mistakes.push_back({at + "/name", "is " + shown(name) +
+                                          ", must be 1 to 40 letters, digits or _: the program's "
+                                          "results are /programs/NAME/..."});
+  const bool words =
+      command.is_array() && !command.empty() &&
+      std::all_of(command.begin(), command.end(), [](const Json& word) { return word.is_string(); });
+  if (!words || command[0] == "")
+    mistakes.push_back(
+        {at + "/command", "is " + shown(command) +
+                              ", must be a list of words, the program first, like [\"python3\", "
+                              "\"yard.py\"]; files are looked for from the study file's directory"});
+  if (!limit.is_number() || !(limit.get<double>() > 0.0 && limit.get<double>() <= 1e8))
+    mistakes.push_back(
+        {at + "/time_limit_s", "is " + shown(limit) + ", must be a number, allowed above 0 to 1e+08 s"});
+}
+
 }  // namespace
 
 CaseMistakes::CaseMistakes(const Json& document) : document_(document) {
@@ -136,6 +169,33 @@ std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes)
   return designs;
 }
 
+std::optional<ProgramEvaluator> program_of(const Json& entry) {
+  if (!entry.is_object()) return std::nullopt;
+  ProgramEvaluator program;
+  const auto name = entry.find("name"), command = entry.find("command"), limit = entry.find("time_limit_s");
+  if (name != entry.end() && name->is_string()) program.name = name->get<std::string>();
+  if (command != entry.end() && command->is_array())
+    for (const Json& word : *command)
+      if (word.is_string()) program.command.push_back(word.get<std::string>());
+  if (limit != entry.end() && limit->is_number()) program.time_limit = limit->get<double>();
+  return program;
+}
+
+void resolve_program_files(Json& document, const std::string& study_file) {
+  if (!document.contains("evaluators") || !document.at("evaluators").is_array()) return;
+  const std::filesystem::path folder = std::filesystem::path(study_file).parent_path();
+  for (Json& entry : document.at("evaluators")) {
+    if (!entry.is_object() || !entry.contains("command") || !entry.at("command").is_array()) continue;
+    for (Json& word : entry.at("command")) {
+      if (!word.is_string()) continue;
+      std::error_code none;
+      const std::filesystem::path file = folder / word.get<std::string>();
+      if (std::filesystem::is_regular_file(file, none))
+        word = std::filesystem::absolute(file).lexically_normal().string();
+    }
+  }
+}
+
 void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes) {
   if (!document.contains("evaluators")) return;
   const Json& list = document.at("evaluators");
@@ -148,10 +208,19 @@ void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes)
   std::set<std::string> given;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::string at = "/evaluators/" + std::to_string(k);
+    if (list[k].is_object()) {
+      check_program(list[k], at, mistakes);
+      const ProgramEvaluator program = *program_of(list[k]);
+      if (!program.name.empty() && !given.insert(program.name).second)
+        mistakes.push_back({at + "/name", "is \"" + program.name + "\" again; name each evaluator once"});
+      spec.programs.push_back(program);
+      continue;
+    }
     const std::string word = list[k].is_string() ? list[k].get<std::string>() : "";
     if (std::find(known.begin(), known.end(), word) == known.end()) {
       mistakes.push_back(
-          {at, "is " + shown(list[k]) + ", must be one of " + listed(known) + did_you_mean(word, known)});
+          {at, "is " + shown(list[k]) + ", must be one of " + listed(known) + did_you_mean(word, known) +
+                   ", or a program: {\"name\": \"yard\", \"command\": [\"python3\", \"yard.py\"]}"});
     } else if (!given.insert(word).second) {
       mistakes.push_back({at, "is \"" + word + "\" again; name each evaluator once"});
     }

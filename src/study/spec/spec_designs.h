@@ -1,6 +1,7 @@
 // The part of a study file that names designs and evaluators.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,10 @@ namespace icebow {
 
 // Each notes its mistakes; what they return is to be used only where they added none.
 std::vector<NamedDesign> parse_designs(const Json& document, Mistakes& mistakes);
+// Of one entry of "evaluators"; nothing where it is no object.
+std::optional<ProgramEvaluator> program_of(const Json& entry);
+// Makes the paths of programs and their files absolute, as they are meant: from the study file's directory.
+void resolve_program_files(Json& document, const std::string& study_file);
 void parse_evaluators(const Json& document, StudySpec& spec, Mistakes& mistakes);
 
 // The mistakes of a study's own case, by which those that a change of it brings are told.

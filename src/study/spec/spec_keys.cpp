@@ -135,7 +135,7 @@ const std::vector<Key> table = {
   {"decide", "budget_core_h", Quantity::number, 0, 1e6, false, 0, "0", "no design is sailed on once the simulations have taken so many core hours; 0 = no limit", {}},
   {"decide", "longest", Quantity::length, 0.001, 200000, false, none, "operation.steady_from + 20 (advance - steady_from)", "no voyage is sailed farther", {}},
 
-  {"ranking", "by", Quantity::choice, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle", {"mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"}},
+  {"ranking", "by", Quantity::text, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle; or a load of a result by its pointer, like /programs/yard/resistance_N", {}},
 
   {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
   {"execution", "designs_at_once", Quantity::integer, 0, 4096, false, 0, "0", "designs that run side by side; 0 = as many as the ranks or cores allow", {}},

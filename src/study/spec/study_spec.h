@@ -53,11 +53,19 @@ struct Case {
   CycleSettings cycle;
 };
 
+// A program of the user's own that evaluates: study/evaluate/program_evaluator.h.
+struct ProgramEvaluator {
+  std::string name;                  // its results are /programs/NAME/...
+  std::vector<std::string> command;  // the program and its words; files by their whole path
+  double time_limit = 600.0;         //!< [s]
+};
+
 // Who evaluates a design.
 struct Evaluators {
   bool lindqvist = true, peridynamics = true, cycle = false;
+  std::vector<ProgramEvaluator> programs = {};
 
-  bool formula_alone() const { return lindqvist && !peridynamics && !cycle; }
+  bool formula_alone() const { return lindqvist && !peridynamics && !cycle && programs.empty(); }
 };
 
 enum class MethodType {
@@ -123,12 +131,16 @@ struct StudySpec {
   Json document;  // as read: named designs and variables are applied to it
   Case baseline;
   bool use_lindqvist = true, use_cycle = false, use_peridynamics = true;
+  std::vector<ProgramEvaluator> programs;
   Method method;
   std::vector<NamedDesign> designs;
   bool include_baseline = true;
-  int repeats = 1;                    // simulations of each design, with different seeds
-  std::string rank_by = "mean_load";  // "mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"
-  Confirm confirm;                    // use_peridynamics is false then: the sweep is the cycle's
+  int repeats = 1;  // simulations of each design, with different seeds
+  // "mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking", or a pointer to a load of a
+  // result,
+  // "/programs/yard/resistance_N"
+  std::string rank_by = "mean_load";
+  Confirm confirm;  // use_peridynamics is false then: the sweep is the cycle's
   Decide decide;
   Execution execution;
 };
