@@ -177,6 +177,9 @@ int run_check(const Communicator&, const Arguments& arguments) {
   if (!spec.purpose.empty()) text += "purpose: " + printable(spec.purpose) + "\n";
   text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(box) +
           operation_line(spec.baseline);
+  for (const CaseScenario& scenario : spec.baseline.scenarios)
+    text += "scenario " + printable(scenario.name) + ", weight " + brief(scenario.weight) + ": " +
+            operation_line(*scenario.given);
   text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
           (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "");
   for (const ProgramEvaluator& program : spec.programs) text += " " + program.name + " (a program)";

@@ -71,7 +71,8 @@ std::string card_text(const Json& card) {
   if (!words(card, "reason").empty()) text += ": " + words(card, "reason");
   if (card.at("rank") > 0)
     text += ", rank " + std::to_string(card.at("rank").get<int>()) + " of " +
-            std::to_string(card.at("designs").get<int>()) + " by " + words(card, "rank_by");
+            std::to_string(card.at("designs").get<int>()) + " by " + words(card, "rank_by") + ", " +
+            newtons(card.at("value"));
   text += "\n";
   for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
   for (const auto& [pointer, value] : card.at("parameters").items())

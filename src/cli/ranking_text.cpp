@@ -119,6 +119,9 @@ std::string ranking_text(const Ranking& ranking) {
                                                  "Lindqvist " + compared_part(ranking) + ", kN", "ratio",
                                                  ranking.race.given() ? "race" : "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
+  const bool by_pointer = ranking.rank_by[0] == '/';
+  if (by_pointer)
+    rows[0].insert(rows[0].begin() + 2, ranking.rank_by.substr(ranking.rank_by.rfind('/') + 1) + ", kN");
   const std::vector<std::string> pointers = varied(ranking);
   std::vector<std::string> names;
   for (const std::string& pointer : pointers) names.push_back(pointer.substr(pointer.rfind('/') + 1));
@@ -136,6 +139,7 @@ std::string ranking_text(const Ranking& ranking) {
       rows.back().insert(
           rows.back().begin() + 3,
           {kilonewtons(row.cycle_load) + " \u00b1 " + kilonewtons(row.cycle_ci95), simulated(row)});
+    if (by_pointer) rows.back().insert(rows.back().begin() + 2, kilonewtons(row.value));
     const std::vector<std::string> cells = parameter_cells(e, pointers);
     rows.back().insert(rows.back().begin() + 1, cells.begin(), cells.end());
   }

@@ -170,6 +170,14 @@ def make_schema(table):
     by["anyOf"] = [{"enum": RANKED_BY}, {"pattern": "^/.+_N$"}]
     top["designs"] = designs_schema(table)
     top["method"] = method_schema(table)
+    conditions = {s: patch_schema(keys, s) for s in ("ice", "water", "operation")}
+    top["scenarios"] = {"description": "conditions that each design is judged over", "type": "array", "minItems": 1,
+                        "maxItems": 100, "items": {
+                            "type": "object", "additionalProperties": False, "required": ["name", "set"], "properties": {
+                                "name": {"type": "string", "minLength": 1, "maxLength": 64, "pattern": NAME},
+                                "weight": {"description": "default 1", "type": "number", "exclusiveMinimum": 0, "maximum": 1e6},
+                                "set": {"description": "JSON merge patch (RFC 7386) on this file", "type": "object",
+                                        "minProperties": 1, "additionalProperties": False, "properties": conditions}}}}
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "urn:icebow:study:1",
             "title": "Icebow study file, version 1", "type": "object", "additionalProperties": False,
             "required": ["icebow_study", "ice", "operation"],

@@ -10,6 +10,7 @@
 
 #include "base/collective.h"
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "base/printable.h"
 #include "formula/lindqvist.h"
 #include "geometry/mesh_slice.h"
@@ -26,6 +27,7 @@
 #include "study/evaluate/provenance.h"
 #include "study/evaluate/resolution_bias.h"
 #include "study/evaluate/result_json.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/evaluate/voyage_picture.h"
 #include "study/spec/case_hull.h"
 
@@ -43,8 +45,11 @@ struct Work {
   Hull hull;
   std::vector<std::string> notes;  // what a reader of the result should know
 
-  const Case& given() const { return *design.given; }
-  bool writes() const { return !options.directory.empty(); }
+  const Case* condition = nullptr;  // the scenario under way; none: the design's own
+  bool draws = true;                // of several scenarios, the first has its files
+
+  const Case& given() const { return condition ? *condition : *design.given; }
+  bool writes() const { return !options.directory.empty() && draws; }
   std::string path(const std::string& file) const {
     return (std::filesystem::path(options.directory) / file).string();
   }
@@ -191,6 +196,39 @@ Ending run_programs(Work& work) {
     work.result["programs"][program.name] = told.at("output");
   }
   return {};
+}
+
+Ending run_formulas(Work& work) {
+  for (const auto step : {apply_formula, run_programs, run_voyages}) {
+    const Ending ending = step(work);
+    if (ending.status != EvaluationStatus::ok) return ending;
+  }
+  return {};
+}
+
+// One condition after the other, and their loads as one.
+Ending run_scenarios(Work& work) {
+  const Case& design = *work.design.given;
+  if (design.scenarios.empty()) return run_formulas(work);
+  const Json before = work.result;
+  std::vector<ScenarioResult> results;
+  Ending ending;
+  for (const CaseScenario& scenario : design.scenarios) {
+    work.result = before;
+    work.condition = scenario.given.get();
+    work.draws = results.empty();
+    ending = run_formulas(work);
+    const std::string no_voyage = text_at(work.result, "/cycle/reason");
+    if (ending.status == EvaluationStatus::ok && !no_voyage.empty()) ending = failed(no_voyage);
+    if (ending.status != EvaluationStatus::ok) {
+      ending.reason = scenario.name + ": " + ending.reason;
+      break;
+    }
+    results.push_back({scenario.name, scenario.weight, work.result});
+  }
+  work.condition = nullptr, work.draws = true;
+  if (ending.status == EvaluationStatus::ok) work.result = combined(results, design.by_worst);
+  return ending;
 }
 
 // A hull and voyages take a while.
@@ -355,8 +393,7 @@ Evaluation evaluate(const Communicator& comm, const Design& design, const Evalua
   Work work{comm, design, options, {{"files", Json::object()}}, {}, {}};
   if (work.writes()) act_on_root(comm, [&] { std::filesystem::create_directories(options.directory); });
   Ending ending;
-  for (const auto step :
-       {read, measure_hull, apply_formula, run_programs, run_voyages, look_for_stop, run_simulation, judge}) {
+  for (const auto step : {read, measure_hull, run_scenarios, look_for_stop, run_simulation, judge}) {
     ending = step(work);
     if (ending.status != EvaluationStatus::ok) break;
   }

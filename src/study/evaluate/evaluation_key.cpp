@@ -80,8 +80,10 @@ void describe_hull(Text& text, const Case& c) {
 void describe_case(Text& text, const Case& c) {
   const auto& [lambda, bow, own, ice, ice_model, flexural_strength, compressive_strength, water, sheet,
                numerics, V, advance, steady_from, stop_when_ci95_below, seed, snapshots, pictures,
-               snapshot_format, cycle] = c;
-  text.ignored("cycle", cycle);  // described where it is asked for
+               snapshot_format, cycle, scenarios, by_worst] = c;
+  text.ignored("cycle", cycle);          // described where it is asked for
+  text.ignored("scenarios", scenarios);  // each is a text of its own
+  text.ignored("by_worst", by_worst);
   text.field("lambda", lambda);
   describe_hull(text, c);
   describe_ice(text, ice);
@@ -141,9 +143,22 @@ void describe_cycle(Text& text, const CycleSettings& settings) {
   text.field("cycle.submersion_by_hull", submersion_by_hull);
 }
 
+// The conditions of the file itself are not evaluated then.
+std::string text_of_scenarios(const Case& c, const Evaluators& asked) {
+  std::string all = c.by_worst ? "worst of\n" : "mean of\n";
+  for (const CaseScenario& scenario : c.scenarios) {
+    Text text;
+    text.field("scenario", scenario.name);
+    text.field("weight", scenario.weight);
+    all += text.str() + evaluation_text(*scenario.given, asked);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string evaluation_text(const Case& c, const Evaluators& asked) {
+  if (!c.scenarios.empty()) return text_of_scenarios(c, asked);
   Text text;
   text.field("icebow.result_version", result_version);
   text.field("use_lindqvist", asked.lindqvist);

@@ -319,7 +319,8 @@ Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::stri
       ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) { return group(row) == 0; }));
   mark_ties(ranking, ranked);
   correlate(ranking, ranked);
-  if (ranked > 0 && rank_by != "lindqvist_breaking") ranking.warnings = warnings(ranking, ranked);
+  const bool exact = rank_by == "lindqvist_breaking" || rank_by.rfind("/programs/", 0) == 0;
+  if (ranked > 0 && !exact) ranking.warnings = warnings(ranking, ranked);
   return ranking;
 }
 

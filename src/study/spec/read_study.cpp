@@ -11,6 +11,7 @@
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
 #include "study/spec/spec_method.h"
+#include "study/spec/spec_scenarios.h"
 
 namespace icebow {
 namespace {
@@ -145,6 +146,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
                     execution.number("time_limit")};
   if (evaluators_known) check_repeats(spec, mistakes);
+  if (evaluators_known) check_scenarios(spec, mistakes);
   read_decide(document, spec, mistakes.empty(), mistakes);
   check_not_empty(spec, mistakes);
   return spec;

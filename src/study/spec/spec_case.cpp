@@ -9,6 +9,7 @@
 #include "solver/tank/virtual_tests.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
+#include "study/spec/spec_scenarios.h"
 
 namespace icebow {
 namespace {
@@ -324,6 +325,7 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   if (output.text("format", "vtp") == "vtkhdf") c.snapshot_format = SnapshotFormat::vtkhdf;
   check_ship(c, s, mistakes);
   check_run(c, s, mistakes);
+  read_scenarios(document, parse_case, c, mistakes);
   return c;
 }
 

@@ -137,6 +137,8 @@ const std::vector<Key> table = {
 
   {"ranking", "by", Quantity::text, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle; or a load of a result by its pointer, like /programs/yard/resistance_N", {}},
 
+  {"ranking", "over_scenarios", Quantity::choice, 0, 0, false, none, "mean", "with /scenarios: by the mean of the loads with the scenarios' weights, or by the worst", {"mean", "worst"}},
+
   {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
   {"execution", "designs_at_once", Quantity::integer, 0, 4096, false, 0, "0", "designs that run side by side; 0 = as many as the ranks or cores allow", {}},
   {"execution", "time_limit", Quantity::time, 0, 1e8, false, 0, "0", "wall time after which a design is given up; 0 = none", {}},
@@ -270,8 +272,8 @@ const std::vector<std::string>& design_sections() {
 
 const std::vector<std::string>& structural_keys() {
   static const std::vector<std::string> keys = {
-      "bow",    "hull",       "ice",     "water",  "sheet",   "operation", "solver",  "cycle",
-      "output", "evaluators", "designs", "method", "confirm", "decide",    "ranking", "execution"};
+      "bow",        "hull",    "ice",       "water",  "sheet",   "operation", "solver",  "cycle",    "output",
+      "evaluators", "designs", "scenarios", "method", "confirm", "decide",    "ranking", "execution"};
   return keys;
 }
 

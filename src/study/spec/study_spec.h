@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,15 @@ struct CycleSettings {
   bool submersion_by_hull = true;  // else by Lindqvist's formula
 };
 
+struct Case;
+
+// One of the conditions that a design is judged over.
+struct CaseScenario {
+  std::string name;
+  double weight = 1.0;
+  std::shared_ptr<const Case> given;  // the same ship; without scenarios of its own
+};
+
 // One fully described ship in one ice: what an evaluation needs, and nothing else.
 struct Case {
   double lambda = 1.0;  // full scale / simulated scale
@@ -51,6 +61,8 @@ struct Case {
   int snapshots = 0, pictures = 0;
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
   CycleSettings cycle;
+  std::vector<CaseScenario> scenarios;  // empty: judged in the ice and at the speed above
+  bool by_worst = false;                // by the worst of them, instead of the weighted mean
 };
 
 // A program of the user's own that evaluates: study/evaluate/program_evaluator.h.
