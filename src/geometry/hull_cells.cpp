@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/cell_distances.h"
 #include "geometry/clip_triangle.h"
 
 namespace icebow {
@@ -57,6 +58,7 @@ class Builder {
     const double largest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
     plane_margin_ = plane_rounding * (largest + size_);
     cells_.kind.assign(1 + cells_.grid.cells(), 0);
+    cells_.away.assign(cells_.kind.size(), 0);
   }
 
   HullCells build() {
@@ -66,6 +68,7 @@ class Builder {
     bound_by_planes();
     for (int iz = 0; iz < n_[2]; ++iz)
       for (int iy = 0; iy < n_[1]; ++iy) fill_row(iy, iz);
+    find_away();
     return std::move(cells_);
   }
 
@@ -213,6 +216,14 @@ class Builder {
     return k < 0 ? ~k : tree_.closest(node(ix, iy, iz)).slot;
   }
 
+  void find_away() {
+    std::vector<std::uint8_t> marked(cells_.kind.size() - 1);
+    std::transform(cells_.kind.begin() + 1, cells_.kind.end(), marked.begin(),
+                   [](std::int32_t k) { return std::uint8_t(k != 0); });
+    const std::vector<std::uint8_t> away = cell_distances(n_, marked);
+    std::copy(away.begin(), away.end(), cells_.away.begin() + 1);
+  }
+
   const TriangleSurface& surface_;
   const TriangleTree& tree_;
   HullCells cells_;
@@ -240,8 +251,21 @@ NearestTriangle HullCells::closest(const TriangleTree& tree, std::int32_t kind_o
   return cell.all_kept ? best : tree.closest(p, best.slot);
 }
 
+// A cell may have been mistaken for the next (CellGrid).
+float HullCells::clearance(std::int32_t cell, float x, float y, float z) const {
+  constexpr float doubt = 0.01F;
+  if (cell > 0) return std::max(0.0F, (float(away[cell]) - 1.0F - doubt) * grid.size);
+  const float p[3] = {x, y, z};
+  float beyond = 0.0F;  // the grid, along some axis
+  for (int c = 0; c < 3; ++c) {
+    const float upper = grid.lower[c] + grid.n[c] * grid.size;
+    beyond = std::max({beyond, grid.lower[c] - p[c], p[c] - upper});
+  }
+  return std::max(0.0F, beyond - doubt * grid.size);
+}
+
 std::size_t HullCells::bytes() const {
-  return kind.capacity() * sizeof(kind[0]) + surface.capacity() * sizeof(SurfaceCell) +
+  return away.capacity() + kind.capacity() * sizeof(kind[0]) + surface.capacity() * sizeof(SurfaceCell) +
          candidates.capacity() * sizeof(Candidate);
 }
 

@@ -37,6 +37,8 @@ struct HullCells {
   // By cell number; entry 0 stands for points beyond the grid. 0: outside the hull; k > 0: surface[k - 1];
   // k < 0: inside, with the tree slot ~k near by.
   std::vector<std::int32_t> kind;
+  // Likewise: steps to the nearest cell that is not outside, cell_distances.h; 0 for entry 0.
+  std::vector<std::uint8_t> away;
   std::vector<SurfaceCell> surface;
   std::vector<Candidate> candidates;
 
@@ -47,6 +49,8 @@ struct HullCells {
     const SurfaceCell& cell = surface[kind_of_cell - 1];
     return cell.normal[0] * x + cell.normal[1] * y + cell.normal[2] * z <= cell.offset;
   }
+  // From a point to the hull [m], at least; 0 where that is little or nothing.
+  float clearance(std::int32_t cell, float x, float y, float z) const;
   // The closest triangle, exact for any p whose cell is of this kind.
   NearestTriangle closest(const TriangleTree& tree, std::int32_t kind_of_cell, const Vec3& p) const;
 

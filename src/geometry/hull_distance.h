@@ -39,7 +39,7 @@ struct InsidePoint {
 class HullDistance {
  public:
   // Points of `region` (hull frame) will be asked for contact: the grid covers what the region and the hull's
-  // bounding box share with 1 to 4 million cells, the finer the smaller the panels. Memory: 4 bytes a cell,
+  // bounding box share with 1 to 4 million cells, the finer the smaller the panels. Memory: 5 bytes a cell,
   // up to 176 bytes a cell that the surface crosses, about 500 bytes a quad. Throws InputError for a mesh
   // that is not closed.
   HullDistance(const QuadMesh& mesh, const Box& region);
@@ -48,6 +48,17 @@ class HullDistance {
   bool may_be_inside(const Vec3& p) const {
     const Eigen::Vector3f f = p.cast<float>();
     return cells_.may_be_inside(cells_.kind_at(f.x(), f.y(), f.z()), f.x(), f.y(), f.z());
+  }
+  // What is known of a point without a search.
+  struct Outlook {
+    bool may_be_inside;
+    float clearance;  //!< no point nearer than this may be inside [m]; 0 if this one may be
+  };
+  Outlook outlook(const Vec3& p) const {
+    const Eigen::Vector3f f = p.cast<float>();
+    const std::int32_t cell = cells_.grid.cell(f.x(), f.y(), f.z());
+    return {cells_.may_be_inside(cells_.kind[cell], f.x(), f.y(), f.z()),
+            cells_.clearance(cell, f.x(), f.y(), f.z())};
   }
   // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast near and inside the
   // hull.

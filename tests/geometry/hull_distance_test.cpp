@@ -231,6 +231,34 @@ TEST_CASE("Hull distance: the filter is tight") {
   CHECK_FALSE(hull.may_be_inside(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())));
 }
 
+TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
+  const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
+  for (const Box& region : {bounding_box(mesh), Box{{-1, -0.3, -0.2}, {1, 0.3, 0.1}}}) {
+    const HullDistance hull(mesh, region);
+    const double cell = hull.grid().size;
+    int far = 0, seen_far = 0;
+    for (const Vec3& p : random_points(grown(region, 0.2), 20000, 12)) {
+      const HullDistance::Outlook outlook = hull.outlook(p);
+      CHECK(outlook.may_be_inside == hull.may_be_inside(p));
+      if (outlook.may_be_inside) CHECK(outlook.clearance == 0.0F);
+      for (int c = 0; c < 3; ++c) {
+        for (const double way : {-0.9999, 0.9999}) {
+          Vec3 moved = p;
+          moved[c] += way * double(outlook.clearance);
+          if (outlook.clearance > 0.0F) CHECK_FALSE(hull.may_be_inside(moved));
+        }
+      }
+      const bool in_region =
+          (p.array() > region.lower.array()).all() && (p.array() < region.upper.array()).all();
+      if (!in_region || hull.closest(p).signed_distance < 6.0 * cell) continue;
+      ++far;
+      seen_far += outlook.clearance > 0.0F;
+    }
+    CHECK(far > 100);
+    CHECK(seen_far > 0.99 * far);  // not just beyond the end of the grid
+  }
+}
+
 TEST_CASE("Hull distance: the grid stays within its bound") {
   for (const int quads : {100, 20000}) {
     const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, quads);

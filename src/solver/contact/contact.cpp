@@ -1,6 +1,8 @@
 #include "solver/contact/contact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace icebow {
 namespace {
@@ -95,57 +97,82 @@ ClosestPoint HullContact::in_contact(const ClosestPoint& hit, const Vec3& positi
   return {distance, position - distance * met.normal, met.normal, face - 1};
 }
 
-int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
-                       ContactLedger& ledger) const {
+// What the drift has used up of the row's clearances.
+template <class Real>
+void HullContact::approach(const IceSheet& sheet, int jl, int k) {
   const Layout& layout = sheet.layout;
+  constexpr Real rounding = Real(1.001);
+  const Real* const travelled2 = sheet.travelled2<Real>(jl, k);
+  float* const clearance = &clearance_[(std::size_t(jl) * layout.nz + k) * layout.blocks];
+  for (int b = 0; b < layout.blocks; ++b)
+    clearance[b] -= static_cast<float>(rounding * std::sqrt(travelled2[b]));
+}
+
+int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
+                       ContactLedger& ledger) {
+  const Layout& layout = sheet.layout;
+  clearance_.resize(std::size_t(layout.columns) * layout.nz * layout.blocks, 0.0F);
   int contacts = 0;
   for (int jl = jl0; jl < jl1; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
+      if (sheet.precision == Precision::fp64) {
+        approach<double>(sheet, jl, k);
+      } else {
+        approach<float>(sheet, jl, k);
+      }
       const std::size_t row = layout.row(jl, k);
       const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
       for (int b = 0; b < layout.blocks; ++b) {
-        if (!sheet.near_hull(jl, k, b)) continue;
+        float& clearance = clearance_[(std::size_t(jl) * layout.nz + k) * layout.blocks + b];
+        if (clearance > 0.0F) continue;
+        clearance = std::numeric_limits<float>::max();
         for (int l = b * block; l < (b + 1) * block; ++l) {
-          if (!sheet.mobile(jl, l)) continue;
           const std::size_t p = row + l;
+          if (!sheet.mobile(jl, l) || settings_.crushing.used_up(sheet.crushed_depth[p])) continue;
           const Vec3 position(sheet.lattice.x(layout.i0 + l) + sheet.u[0][p] - hull_x, y + sheet.u[1][p],
                               z + sheet.u[2][p]);
-          if (!distance_.may_be_inside(position)) continue;
-          ClosestPoint hit = distance_.closest(position);
-          if (hit.signed_distance >= 0.0) {
-            if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
-            ledger.passed(p, z);
-            continue;
-          }
-          const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
-          double crushed = sheet.crushed_depth[p];
-          if (settings_.rule == ContactRule::crushing) {
-            if (settings_.crushing.used_up(crushed)) continue;
-            int face = static_cast<int>(sheet.touched_face[p]);
-            hit = in_contact(hit, position, face);
-            sheet.touched_face[p] = face;
-          }
-          const ContactResponse r = respond(settings_, hit, v_before, crushed);
-          sheet.crushed_depth[p] = crushed;
-          if (settings_.crushing.used_up(crushed)) sheet.extra_strength[p] = IceSheet::crushed;
-          ++contacts;
-          Vec3 delta_v, push = Vec3::Zero();  // as stored: the hull gets exactly what the ice lost
-          for (int c = 0; c < 3; ++c) {
-            sheet.v[c][p] = v_before[c] + r.delta_v[c];
-            delta_v[c] = sheet.v[c][p] - v_before[c];
-            if (r.push[c] == 0.0) continue;
-            const double u_before = sheet.u[c][p] + sheet.residual[c][p];
-            sheet.u[c][p] = sheet.u[c][p] + r.push[c];
-            sheet.residual[c][p] = 0.0;
-            push[c] = sheet.u[c][p] - u_before;
-          }
-          impulse.add(-settings_.particle_mass * delta_v, hit.point);
-          ledger.struck(p, z, v_before, delta_v, push);
+          const HullDistance::Outlook outlook = distance_.outlook(position);
+          clearance = std::min(clearance, outlook.clearance);
+          if (outlook.may_be_inside) contacts += touch(sheet, p, position, z, impulse, ledger);
         }
       }
     }
   }
   return contacts;
+}
+
+// Whether a particle that may be inside is, with what follows from it.
+bool HullContact::touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
+                        ContactLedger& ledger) const {
+  ClosestPoint hit = distance_.closest(position);
+  if (hit.signed_distance >= 0.0) {
+    if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
+    ledger.passed(p, z);
+    return false;
+  }
+  const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
+  double crushed = sheet.crushed_depth[p];
+  if (settings_.rule == ContactRule::crushing) {
+    int face = static_cast<int>(sheet.touched_face[p]);
+    hit = in_contact(hit, position, face);
+    sheet.touched_face[p] = face;
+  }
+  const ContactResponse r = respond(settings_, hit, v_before, crushed);
+  sheet.crushed_depth[p] = crushed;
+  if (settings_.crushing.used_up(crushed)) sheet.extra_strength[p] = IceSheet::crushed;
+  Vec3 delta_v, push = Vec3::Zero();  // as stored: the hull gets exactly what the ice lost
+  for (int c = 0; c < 3; ++c) {
+    sheet.v[c][p] = v_before[c] + r.delta_v[c];
+    delta_v[c] = sheet.v[c][p] - v_before[c];
+    if (r.push[c] == 0.0) continue;
+    const double u_before = sheet.u[c][p] + sheet.residual[c][p];
+    sheet.u[c][p] = sheet.u[c][p] + r.push[c];
+    sheet.residual[c][p] = 0.0;
+    push[c] = sheet.u[c][p] - u_before;
+  }
+  impulse.add(-settings_.particle_mass * delta_v, hit.point);
+  ledger.struck(p, z, v_before, delta_v, push);
+  return true;
 }
 
 }  // namespace icebow

@@ -63,18 +63,26 @@ class HullContact {
   // Treats every particle of the owned columns [jl0, jl1) inside the hull, whose origin is at (hull_x, 0, 0);
   // adds the impulse of the ice on the hull about that origin, and every strike to `ledger`. Returns the
   // number of particles in contact.
-  int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
-            ContactLedger& ledger) const;
+  int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse, ContactLedger& ledger);
+  // The ice has been moved by something else than the drift, or renumbered: nothing is known of it any more.
+  void look_again() { clearance_.clear(); }
 
  private:
   struct Plane {
     Vec3 point, normal;
   };
   ClosestPoint in_contact(const ClosestPoint& hit, const Vec3& position, int& face) const;
+  template <class Real>
+  void approach(const IceSheet& sheet, int jl, int k);
+  bool touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
+             ContactLedger& ledger) const;
 
   std::vector<Plane> faces_;  // of the hull's quads
   HullDistance distance_;
   ContactSettings settings_;
+  // How far the particles of each own block of a row are from the hull, at least [m]: as they were seen when
+  // last looked at, less what they have travelled since. Only blocks without a rest are looked at.
+  std::vector<float> clearance_;  // [column][layer][block]
 };
 
 }  // namespace icebow

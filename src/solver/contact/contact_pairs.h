@@ -2,23 +2,27 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/communicator.h"
 #include "base/vec.h"
+#include "solver/contact/patches.h"
 #include "solver/ice/sheet.h"
 
 namespace icebow {
 
 class ContactPairs {
  public:
-  struct Particle {
-    Vec3 position, velocity;
+  enum Kind : std::uint8_t {
+    both,     // two own particles: once for both
+    alone,    // the second is another rank's
+    mirrored  // the mirror image of the second at the symmetry plane of a half model, which is another's or
+              // own
   };
-  struct Of {             // an own particle and its partners [begin, end)
-    std::size_t address;  // in the fields
-    int particle;
-    int begin, end;
+  struct Pair {
+    int first, second;
+    Kind kind;
   };
 
   // Pairs nearer than `within` [m].
@@ -28,46 +32,36 @@ class ContactPairs {
   void find(const IceSheet& sheet);
   void refresh(const IceSheet& sheet);  // where the particles of the pairs are now
 
-  const std::vector<Of>& all() const { return all_; }
-  const Particle& particle(int n) const { return particles_[n]; }
-  // The mirror image of one at the symmetry plane of a half model.
-  Particle partner(int n) const {
-    Particle p = particles_[partners_[n].particle];
-    if (partners_[n].image) {
-      p.position.y() = -p.position.y();
-      p.velocity.y() = -p.velocity.y();
-    }
-    return p;
+  const std::vector<Pair>& all() const { return all_; }  // in no order that means anything
+  // The particles of the pairs: own ones by their place in the fields, then those of other ranks.
+  int own() const { return static_cast<int>(own_.size()); }
+  std::size_t address(int n) const { return own_[n].address; }
+  const Vec3& position(int n) const { return position_[n]; }
+  Vec3 velocity(const IceSheet& sheet, int n) const {
+    if (n >= own()) return borrowed_velocity_[n - own()];
+    const std::size_t p = own_[n].address;
+    return {sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]};
   }
 
  private:
-  struct Partner {
-    int particle;  // in particles_
-    bool image;
-  };
   struct Own {
-    int i, j, k;
+    Vec3 reference;  //!< place in the sheet [m]
     std::size_t address;
   };
-  struct Candidate {
-    int i, j, k;    // in the lattice; j below 0: the image of column -1 - j
-    Vec3 position;  //!< [m]
-    bool image;
-    int origin;  // in the list of all ranks' candidates; of an image that of its original
-  };
-  std::vector<Candidate> candidates(const std::vector<double>& everyone, bool half) const;
-  void pair_up(const IceSheet& sheet, const std::vector<Candidate>& all, int first);
-  void keep_used(int first);
-  static Particle state(const IceSheet& sheet, const Own& own);
+  void keep_used(const IceSheet& sheet, const Patches& patches);
+  std::vector<double> wanted(const Patches& patches) const;
+  void number_own(const IceSheet& sheet, const Patches& patches, std::vector<int>& place);
+  template <class Real>
+  void place_own(const IceSheet& sheet);
+  void exchange(const IceSheet& sheet);
 
   Communicator comm_;
   double within_;
-  std::vector<Of> all_;
-  std::vector<Partner> partners_;
-  std::vector<Own> own_;             // this rank's; those that pairs use once they are found
-  std::vector<Particle> particles_;  // own ones, then those of other ranks
-  std::vector<int> lent_;            // own ones that other ranks need
-  bool shared_ = false;              // whether any rank needs another's
+  std::vector<Pair> all_;
+  std::vector<Own> own_;
+  std::vector<Vec3> position_, borrowed_velocity_;
+  std::vector<int> lent_;  // own ones that other ranks need
+  bool shared_ = false;    // whether any rank needs another's
 };
 
 }  // namespace icebow

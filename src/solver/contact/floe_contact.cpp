@@ -32,7 +32,9 @@ Vec3 FloeContactLaw::force(const Vec3& away, const Vec3& velocity) const {
   if (overlap <= 0.0 || r == 0.0) return Vec3::Zero();
   const Vec3 n = away / r;
   const double approach = velocity.dot(n);
-  const double pressed = std::clamp(stiffness * overlap - damping * approach, 0.0, strongest);
+  // What is no number counts as none.
+  const double pressed = std::min(std::max(0.0, stiffness * overlap - damping * approach), strongest);
+  if (pressed == 0.0) return Vec3::Zero();
   const Vec3 sliding = velocity - approach * n;
   const double speed = sliding.norm();
   if (friction == 0.0 || speed == 0.0) return -pressed * n;
@@ -56,6 +58,7 @@ FloeContact::FloeContact(const Communicator& comm, const Scenario& s, const Mate
                          const EnergyModel& model)
     : acts_(s.numerics.floe_contact),
       law_(floe_contact_law(s, material)),
+      quantum_(std::ldexp(law_.strongest, -40)),
       model_(model),
       pairs_(comm, 1.25 * law_.distance) {}
 
@@ -63,31 +66,65 @@ void FloeContact::find_pairs(const IceSheet& sheet) {
   if (acts_) pairs_.find(sheet);
 }
 
+// In whole quanta: the same whichever pair comes first.
+void FloeContact::add_forces(const IceSheet& sheet) {
+  forces_.assign(pairs_.own(), Force{});
+  const double per_quantum = 1.0 / quantum_;
+  for (const ContactPairs::Pair& pair : pairs_.all()) {
+    Vec3 other = pairs_.position(pair.second);
+    if (pair.kind == ContactPairs::mirrored) other.y() = -other.y();
+    const Vec3 away = other - pairs_.position(pair.first);
+    if (!(away.squaredNorm() < law_.distance * law_.distance)) continue;
+    Vec3 velocity = pairs_.velocity(sheet, pair.second);
+    if (pair.kind == ContactPairs::mirrored) velocity.y() = -velocity.y();
+    const Vec3 force = law_.force(away, velocity - pairs_.velocity(sheet, pair.first)) * per_quantum;
+    for (int c = 0; c < 3; ++c) {
+      const std::int64_t quanta = std::llrint(force[c]);
+      forces_[pair.first][c] += quanta;
+      if (pair.kind == ContactPairs::both) forces_[pair.second][c] -= quanta;
+    }
+  }
+}
+
+// Returns the work of the force on the particle in this step [J].
+template <class Real>
+double FloeContact::push(IceSheet& sheet, int n, const Vec3& force) const {
+  const std::size_t p = pairs_.address(n);
+  const Vec3 by_contact = force / model_.mass;
+  Vec3 acceleration, velocity;
+  for (int c = 0; c < 3; ++c) {
+    Real& a = sheet.acceleration[c].data<Real>()[p];
+    acceleration[c] = a + by_contact[c];
+    a = static_cast<Real>(acceleration[c]);
+    velocity[c] = sheet.v[c].data<Real>()[p];
+  }
+  acceleration.z() += model_.weight_and_lift(pairs_.position(n).z());
+  return force.dot(velocity + 0.5 * model_.dt * acceleration) * model_.dt;
+}
+
 FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
   pairs_.refresh(sheet);
+  add_forces(sheet);
+  const bool relocated =
+      std::any_of(strikes.begin(), strikes.end(), [](const HullStrike& s) { return s.push != Vec3::Zero(); });
+  const bool fp64 = sheet.precision == Precision::fp64;
   FloeWork work;
-  for (const ContactPairs::Of& of : pairs_.all()) {
-    const ContactPairs::Particle& own = pairs_.particle(of.particle);
-    Vec3 force = Vec3::Zero();
-    for (int n = of.begin; n < of.end; ++n) {
-      const ContactPairs::Particle other = pairs_.partner(n);
-      const Vec3 away = other.position - own.position;
-      if (away.squaredNorm() >= law_.distance * law_.distance) continue;
-      force += law_.force(away, other.velocity - own.velocity);
+  double joules = 0.0;  // of the block at hand: blocks are whole on every rank
+  std::size_t at = 0;
+  for (int n = 0; n < pairs_.own(); ++n) {
+    const Force& quanta = forces_[n];
+    if ((quanta[0] | quanta[1] | quanta[2]) == 0) continue;
+    const std::size_t p = pairs_.address(n);
+    if (p / block != at) {
+      work.taken -= model_.quanta(joules);
+      joules = 0.0;
+      at = p / block;
     }
-    if (force == Vec3::Zero()) continue;
-    const Vec3 by_contact = force / model_.mass;
-    Vec3 acceleration;
-    for (int c = 0; c < 3; ++c) {
-      acceleration[c] = sheet.acceleration[c][of.address] + by_contact[c];
-      sheet.acceleration[c][of.address] = acceleration[c];
-    }
-    acceleration.z() += model_.weight_and_lift(own.position.z());
-    const Vec3 mean_velocity = own.velocity + 0.5 * model_.dt * acceleration;
-    const std::int64_t by_hull = -model_.quanta(force.dot(push_at(of.address, strikes)));
-    work.by_hull += by_hull;
-    work.taken += by_hull - model_.quanta(force.dot(mean_velocity) * model_.dt);
+    const Vec3 force = quantum_ * Vec3(double(quanta[0]), double(quanta[1]), double(quanta[2]));
+    joules += fp64 ? push<double>(sheet, n, force) : push<float>(sheet, n, force);
+    if (relocated) work.by_hull -= model_.quanta(force.dot(push_at(p, strikes)));
   }
+  work.taken += work.by_hull - model_.quanta(joules);
   return work;
 }
 

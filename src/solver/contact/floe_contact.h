@@ -3,9 +3,11 @@
 //
 // Only ice near broken bonds is looked at. Pairs are found every pairs_every steps and at every sample, from
 // displacements and bonds alone, so that a continued run finds the same ones; a bond that breaks in between
-// is a pair from the next time on. Sums go by the particles' numbers: the same on any number of ranks.
+// is a pair from the next time on. Forces are whole multiples of a quantum: their sums are the same in any
+// order and on any number of ranks, and what one particle gets the other loses.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -53,10 +55,17 @@ class FloeContact {
   FloeWork apply(IceSheet& sheet, const std::vector<HullStrike>& strikes);
 
  private:
+  using Force = std::array<std::int64_t, 3>;  // in quanta
+  void add_forces(const IceSheet& sheet);
+  template <class Real>
+  double push(IceSheet& sheet, int n, const Vec3& force) const;
+
   bool acts_;
   FloeContactLaw law_;
+  double quantum_;  //!< [N]
   EnergyModel model_;
   ContactPairs pairs_;
+  std::vector<Force> forces_;  // on the own particles of the pairs, in the step under way
 };
 
 }  // namespace icebow

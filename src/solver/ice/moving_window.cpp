@@ -32,13 +32,6 @@ void IceSheet::hold_far_end_together() {
 
 void IceSheet::start_at(int first) {
   lattice.first = first;
-  const auto set = [this](auto& work) {
-    for (std::size_t l = 0; l < work.reference_x.size(); ++l) {
-      work.reference_x[l] = static_cast<std::decay_t<decltype(work.reference_x[l])>>(
-          lattice.x(layout.i0 + static_cast<int>(l)));
-    }
-  };
-  std::visit(set, work_);
 }
 
 // A rank hands its first block on to the west; the last rank's new one is at rest.

@@ -1,16 +1,19 @@
 // Ice that other ice may meet: near broken bonds.
 #pragma once
 
-#include <functional>
+#include <cstdint>
+#include <vector>
 
 #include "base/communicator.h"
 #include "solver/ice/sheet.h"
 
 namespace icebow {
 
-// visit(jl, k, il) for each of this rank's particles in a block that is within 16 particles along and across
-// the course of one with a broken bond, on any rank. Collective.
-void near_cracks(const Communicator& comm, const IceSheet& sheet,
-                 const std::function<void(int jl, int k, int il)>& visit);
+// Of a block of a column, all its layers.
+enum Nearness : std::uint8_t { far_from_cracks, near_cracks, at_cracks };
+
+// Of this rank's blocks, [column][block]: at_cracks where a particle has a broken bond, near_cracks within 16
+// particles along and across the course of such a block, on any rank. Collective.
+std::vector<Nearness> find_near_cracks(const Communicator& comm, const IceSheet& sheet);
 
 }  // namespace icebow

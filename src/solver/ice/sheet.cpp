@@ -82,8 +82,7 @@ IceSheet::IceSheet(const Scenario& s, const Lattice& l, const Partition& p, cons
       // What a window lays ahead is at rest: bonds to ice that moves would be torn as they are made.
       far_end_held_(s.sheet.fixed == FixedEdges::sides_and_far || s.sheet.window_ahead > 0.0),
       work_(make_work(s, material)),
-      state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm),
-      near_hull_(std::size_t(layout.columns) * l.nz * layout.blocks) {
+      state_(std::size_t(layout.columns + reach) * l.nz * (layout.blocks + 2), calm) {
   if (s.sheet.window_ahead > 0.0) hold_far_end_together();
   find_cracks();
 }
@@ -106,7 +105,7 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
                   {},
                   {},
                   {},
-                  {},
+                  std::vector<Real>(std::size_t(layout.columns) * layout.nz * layout.blocks),
                   LinearTables<Real>(lattice, layout, stencil, material, options),
                   LinearBlocks<Real>(lattice, layout, linear_below),
                   std::vector<std::uint8_t>(layout.blocks),
@@ -114,7 +113,6 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
   for (int local = 0; local < layout.blocks * block; ++local) {
     const int i = layout.i0 + local;
     const bool far_end = far_end_held_ && i >= lattice.nx - held_columns;
-    work.reference_x.push_back(static_cast<Real>(lattice.x(i)));
     work.mobile_x.push_back(i < lattice.nx && !far_end ? Real(1) : Real(0));
     work.nothing_mobile.push_back(Real(0));
   }
@@ -127,7 +125,8 @@ bool IceSheet::held(int i, int j) const {
 }
 
 std::size_t IceSheet::bytes() const {
-  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() + near_hull_.size() +
+  return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() +
+         (state_.size() / (layout.blocks + 2)) * layout.blocks * theta.element_size() +
          there_.size() * sizeof there_[0];
 }
 
@@ -150,7 +149,7 @@ RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k, const st
 }
 
 template <class Real>
-void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& settings, int jl) {
+void IceSheet::drift_column(Work<Real>& work, const DriftSettings& settings, int jl) {
   const bool moves = !held(0, layout.j0 + jl);
   for (int k = 0; k < layout.nz; ++k) {
     const std::size_t r = layout.row(jl, k);
@@ -159,11 +158,9 @@ void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& setting
                                  {at(v[0]), at(v[1]), at(v[2])},
                                  {at(residual[0]), at(residual[1]), at(residual[2])},
                                  {at(acceleration[0]), at(acceleration[1]), at(acceleration[2])},
-                                 work.reference_x.data(),
                                  moves ? work.mobile_x.data() : work.nothing_mobile.data(),
-                                 static_cast<Real>(lattice.y(layout.j0 + jl)),
                                  static_cast<Real>(lattice.z(k)),
-                                 &near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks],
+                                 &work.travelled2[(std::size_t(jl) * layout.nz + k) * layout.blocks],
                                  layout.blocks},
                                 settings);
   }
@@ -171,7 +168,7 @@ void IceSheet::drift_column(const Work<Real>& work, const DriftSettings& setting
 
 void IceSheet::drift(const DriftSettings& settings, int jl0, int jl1) {
   std::visit(
-      [&](const auto& work) {
+      [&](auto& work) {
         for (int jl = jl0; jl < jl1; ++jl) drift_column(work, settings, jl);
       },
       work_);

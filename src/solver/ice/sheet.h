@@ -114,9 +114,10 @@ class IceSheet {
   }
   bool is_linear(int jl, int b) const;  // likewise
 
-  // Found by the drift: blocks with a particle in the box its settings name.
-  bool near_hull(int jl, int k, int b) const {
-    return near_hull_[(std::size_t(jl) * layout.nz + k) * layout.blocks + b];
+  // Of the own blocks of a row, Real being of the sheet's precision: DriftRow::travelled2 of the last drift.
+  template <class Real>
+  const Real* travelled2(int jl, int k) const {
+    return &std::get<Work<Real>>(work_).travelled2[(std::size_t(jl) * layout.nz + k) * layout.blocks];
   }
   bool held(int i, int j) const;  // fixed edge
   bool mobile(int jl, int local_i) const {
@@ -148,7 +149,8 @@ class IceSheet {
     CrushWatch<Real> crushed;
     std::vector<RowFields<Real>> fields;         // of the current column, by layer
     std::vector<FamilyTables<Real>> row_tables;  // likewise
-    std::vector<Real> reference_x, mobile_x, nothing_mobile;
+    std::vector<Real> mobile_x, nothing_mobile;
+    std::vector<Real> travelled2;  // DriftRow, [column][layer][block]
     LinearTables<Real> linear_tables;
     LinearBlocks<Real> linear;
     std::vector<std::uint8_t> none;  // [block]: 0
@@ -158,7 +160,7 @@ class IceSheet {
   Work<Real> make_work(const Scenario& scenario, const Material& material) const;
   std::variant<Work<float>, Work<double>> make_work(const Scenario& scenario, const Material& material) const;
   template <class Real>
-  void drift_column(const Work<Real>& work, const DriftSettings& settings, int jl);
+  void drift_column(Work<Real>& work, const DriftSettings& settings, int jl);
   template <class Real>
   void select_column(Work<Real>& work, int jl, const std::uint8_t* crush);
   template <class Real>
@@ -189,10 +191,9 @@ class IceSheet {
     return &there_[(std::size_t(jl) * layout.nz + k) * layout.blocks * bonds_there_];
   }
 
-  std::vector<std::uint16_t> there_;     // RowFields::there of the own rows
-  int bonds_there_ = 0;                  // of a block
-  std::vector<std::uint8_t> state_;      // ghost rows and blocks included
-  std::vector<std::uint8_t> near_hull_;  // own blocks
+  std::vector<std::uint16_t> there_;  // RowFields::there of the own rows
+  int bonds_there_ = 0;               // of a block
+  std::vector<std::uint8_t> state_;   // ghost rows and blocks included
 };
 
 }  // namespace icebow

@@ -164,13 +164,13 @@ struct Broken {
   int own = 0, image = 0;
 };
 
-// Weight, buoyancy and box test of the drift.
+// Weight and buoyancy of the drift, and from where it is looked at.
 struct DriftSettings {
-  double dt;                    //!< [s]
-  double gravity;               //!< [m/s^2]; 0 = no weight
-  double lift;                  //!< (rho_w/rho) g [m/s^2]
-  double inverse_dx;            //!< [1/m]
-  double box_lo[3], box_hi[3];  // hull's bounding box [m]
+  double dt;          //!< [s]
+  double gravity;     //!< [m/s^2]; 0 = no weight
+  double lift;        //!< (rho_w/rho) g [m/s^2]
+  double inverse_dx;  //!< [1/m]
+  double V;           //!< of the hull, along x [m/s]
 };
 
 template <class Real>
@@ -179,10 +179,9 @@ struct DriftRow {
   Real* v[3];
   Real* residual[3];            // of the compensated sum of u
   const Real* acceleration[3];  // from bonds
-  const Real* x;                // reference x of each particle [m]
   const Real* mobile;           // 1, or 0 for particles that are held or do not exist
-  Real y, z;                    // reference y, z of the row [m]
-  std::uint8_t* near_hull;      // out, per block: some particle lies in the box
+  Real z;                       // reference z of the row [m]
+  Real* travelled2;  // out, per block: squared way of the fastest particle in the hull's frame [m^2]
   int blocks;
 };
 
@@ -242,11 +241,20 @@ struct Passes {
   Roughness<Real> (*roughness)(const LinearFields<Real>&, int nz, int b, const Real* has_next);
 };
 
+// Two particles of two blocks: layer * block + lane.
+struct NearPair {
+  std::uint16_t a, b;
+};
+
 struct Kernels {
   const char* name;  // "avx512", "avx2", "baseline"
   int vector_bytes;
   Passes<float> fp32;
   Passes<double> fp64;
+  // Particles of two blocks' columns, whose places are [layer][x, y, z][lane], of which the squared distance
+  // is less; each pair once where both are the same block. `out` has room for all pairs; returns how many
+  // there are.
+  int (*near_pairs)(const float* a, const float* b, int layers, float within2, bool same, NearPair* out);
 
   template <class Real>
   const Passes<Real>& passes() const {

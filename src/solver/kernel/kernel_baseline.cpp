@@ -5,6 +5,6 @@
 namespace icebow {
 
 extern const Kernels kernels_baseline;
-const Kernels kernels_baseline{"baseline", 16, passes<float>(), passes<double>()};
+const Kernels kernels_baseline{"baseline", 16, passes<float>(), passes<double>(), near_pairs};
 
 }  // namespace icebow

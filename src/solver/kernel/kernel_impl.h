@@ -6,6 +6,7 @@
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/kernel_vector.h"
 #include "solver/kernel/linear_impl.h"
+#include "solver/kernel/near_impl.h"
 #include "solver/kernel/water_impl.h"
 
 namespace icebow {
@@ -381,21 +382,16 @@ void drift(const DriftRow<Real>& r, const DriftSettings& d) {
   using S = Simd<Real>;
   using V = typename S::V;
   const Real dt = static_cast<Real>(d.dt), gravity = static_cast<Real>(d.gravity),
-             lift = static_cast<Real>(d.lift), inverse_dx = static_cast<Real>(d.inverse_dx);
-  Real lo[3], hi[3];
-  for (int c = 0; c < 3; ++c) {
-    lo[c] = static_cast<Real>(d.box_lo[c]);
-    hi[c] = static_cast<Real>(d.box_hi[c]);
-  }
+             lift = static_cast<Real>(d.lift), inverse_dx = static_cast<Real>(d.inverse_dx),
+             hull_step = static_cast<Real>(d.dt * d.V);
   for (int b = 0; b < r.blocks; ++b) {
-    typename S::Mask inside = {};
+    V fastest = {};
     for (int x = b * block; x < (b + 1) * block; x += S::lanes) {
       const V mobile = S::load(r.mobile + x);
       const V depth = (-(S::load(r.u[2] + x) + r.z)) * inverse_dx + Real(0.5);
       const V submerged = S::min(S::max(depth, V{}), S::splat(1));
       const V weight_and_lift = lift * submerged - gravity;
-      const V reference[3] = {S::load(r.x + x), S::splat(r.y), S::splat(r.z)};
-      typename S::Mask in_box = (mobile != V{});
+      V way2 = {};
       for (int c = 0; c < 3; ++c) {
         V a = S::load(r.acceleration[c] + x);
         if (c == 2) a += weight_and_lift;
@@ -403,16 +399,15 @@ void drift(const DriftRow<Real>& r, const DriftSettings& d) {
         S::store(r.v[c] + x, v);
         // Neumaier-style compensated sum: steps of 1e-5 m on displacements of a metre.
         const V u = S::load(r.u[c] + x);
-        const V step = dt * v + S::load(r.residual[c] + x);
+        const V step = dt * v + S::load(r.residual[c] + x), way = c == 0 ? step - hull_step : step;
         const V sum = u + step;
         S::store(r.residual[c] + x, step - (sum - u));
         S::store(r.u[c] + x, sum);
-        const V position = reference[c] + sum;
-        in_box &= (position > lo[c]) & (position < hi[c]);
+        way2 += way * way;
       }
-      inside |= in_box;
+      fastest = S::max(fastest, way2);
     }
-    r.near_hull[b] = S::any(inside);
+    r.travelled2[b] = S::largest(fastest);
   }
 }
 

@@ -31,6 +31,13 @@ struct Simd {
   static void store(Real* p, V v) { std::memcpy(p, &v, sizeof v); }
   static V splat(Real x) { return x - V{}; }
   static V max(V a, V b) { return a > b ? a : b; }
+  static Real largest(V v) {
+    Real part[lanes];
+    store(part, v);
+    for (int half = lanes / 2; half > 0; half /= 2)
+      for (int l = 0; l < half; ++l) part[l] = part[l] > part[l + half] ? part[l] : part[l + half];
+    return part[0];
+  }
   static V min(V a, V b) { return a < b ? a : b; }
   static V keep(V v, Mask mask) { return (V)((Mask)v & mask); }
   // v where the lane's bit is set, else 0.

@@ -11,12 +11,12 @@
 
 namespace icebow {
 
-// Rounded; at most 1e13, so that no sum overflows: a value that is no number counts as that.
+// Rounded, halves to even; at most 1e13, so that no sum overflows: a value that is no number counts as that.
 inline std::int64_t whole_multiples(double value, double quantum) {
   constexpr double most = 1e13;
   const double count = value / quantum;
   if (!(std::abs(count) < most)) return static_cast<std::int64_t>(count < 0.0 ? -most : most);
-  return std::llround(count);
+  return std::llrint(count);
 }
 
 // Impulse and angular impulse of the ice on the hull over one sampling interval.
@@ -34,8 +34,8 @@ class ExactImpulse {
                       arm.z() * impulse.x() - arm.x() * impulse.z(),
                       arm.x() * impulse.y() - arm.y() * impulse.x());
     for (int c = 0; c < 3; ++c) {
-      counts_[c] += std::llround(impulse[c] / linear_);
-      counts_[c + 3] += std::llround(moment[c] / angular_);
+      counts_[c] += std::llrint(impulse[c] / linear_);
+      counts_[c + 3] += std::llrint(moment[c] / angular_);
     }
   }
   Counts& counts() { return counts_; }

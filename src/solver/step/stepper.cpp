@@ -74,7 +74,6 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
           make_partition(lattice, comm.rank(), comm.size(), comm.size() > 1 ? s.numerics.ranks_along_x : 0),
           material_),
       contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
-      hull_box_(bounding_box(hull)),
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
       no_impulse_(impulse_),
       ledger_(EnergyModel(s, lattice, material_, dt)),
@@ -84,15 +83,7 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
   drift_.gravity = s.water.buoyancy_and_gravity ? gravity : 0.0;
   drift_.lift = s.water.buoyancy_and_gravity ? gravity * s.water.rho / s.ice.rho : 0.0;
   drift_.inverse_dx = 1.0 / lattice.dx;
-}
-
-void Stepper::set_hull_box() {
-  for (int c = 0; c < 3; ++c) {
-    // Rounded outwards: a float must not hide a particle that the exact test would find.
-    const double shift = c == 0 ? hull_x() : 0.0, slack = 1e-5 * (1.0 + std::abs(shift));
-    drift_.box_lo[c] = hull_box_.lower[c] + shift - slack;
-    drift_.box_hi[c] = hull_box_.upper[c] + shift + slack;
-  }
+  drift_.V = V_;
 }
 
 // Velocity Verlet in its half-step form: `v` lives between the positions, one force evaluation a step.
@@ -100,7 +91,6 @@ void Stepper::step() {
   if (window_is_due(steps_)) move_window();
   ++steps_;
   contacts_ = 0;
-  set_hull_box();
   const std::int64_t broke = schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
   broken_bonds_ += broke;
   if (broke > 0) mirror_bonds_beyond_ends(sheet_);
@@ -126,6 +116,7 @@ void Stepper::move_window() {
   // The ice along the cut has lost bonds: its elastic energy is that of what is left.
   broken_bonds_ += schedule_.look_again();
   ledger_.move_window(std::move(touches), sheet_);
+  contact_.look_again();
   surroundings_.renumbered(sheet_);
   const EnergyCounts after = sheet_energy(sheet_, ledger_.model());
   dropped_.kinetic += before.kinetic - after.kinetic;
@@ -145,6 +136,7 @@ void Stepper::move(int jl0, int jl1) {
 void Stepper::restore(std::int64_t steps, std::int64_t broken_bonds, const ExactImpulse::Counts& impulse,
                       const EnergyCounts& dropped, const SurroundingsCounts& given_away) {
   dropped_ = dropped;
+  contact_.look_again();
   surroundings_.restore(given_away);
   surroundings_.renumbered(sheet_);
   steps_ = steps;

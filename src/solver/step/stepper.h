@@ -53,7 +53,6 @@ class Stepper {
   PhaseTimer& timer() { return timer_; }
 
  private:
-  void set_hull_box();
   bool window_is_due(std::int64_t steps) const;
   void move_window();
   void move(int jl0, int jl1);  // drift and contact of columns
@@ -63,7 +62,6 @@ class Stepper {
   Material material_;
   IceSheet sheet_;
   HullContact contact_;
-  Box hull_box_;
   DriftSettings drift_{};
   ExactImpulse impulse_, no_impulse_;
   ContactLedger ledger_;

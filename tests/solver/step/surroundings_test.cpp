@@ -5,7 +5,6 @@
 #include <random>
 
 #include "base/units.h"
-#include "geometry/point_cells.h"
 #include "solver/ice/ice_block.h"
 #include "solver/run/simulation.h"
 #include "solver/step/surrounding_forces.h"
@@ -434,28 +433,4 @@ TEST_CASE("damped edges swallow the waves that reach them") {
   const double closed = returned(0.0), open = returned(0.4);
   CHECK(closed > 0.3);
   CHECK(open < 0.1 * closed);
-}
-
-// Some points outside the box of the cells, one nowhere.
-TEST_CASE("cells find the points that are near, wherever they are") {
-  if (test_world().size() > 1) return;
-  constexpr double edge = 0.1;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(-0.5, 1.5);
-  std::vector<Vec3> points;
-  for (int n = 0; n < 3000; ++n) points.emplace_back(place(random), place(random), 0.4 * place(random));
-  points.emplace_back(1e9, -1e9, 1e300);
-  points.emplace_back(std::nan(""), 0.5, 0.5);
-  const PointCells cells(points, Vec3::Zero(), Vec3::Ones(), edge);
-  int pairs = 0;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    std::vector<int> found, near;
-    cells.for_each_near(points[n], [&](int m) { found.push_back(m); });
-    for (std::size_t m = 0; m < points.size(); ++m)
-      if ((points[m] - points[n]).squaredNorm() < edge * edge) near.push_back(int(m));
-    std::sort(found.begin(), found.end());
-    if (found != near) FAIL_CHECK("near point " << n << ": " << found.size() << " found of " << near.size());
-    pairs += int(near.size()) - 1;
-  }
-  CHECK(pairs > 3000);
 }
