@@ -45,6 +45,7 @@ void add_plan(StudyResults& study, const std::vector<Evaluation>& evaluations) {
   for (const Evaluation& e : evaluations) known.insert(e.key);
   for (const Evaluation& e : evaluations)
     if (e.status == EvaluationStatus::running) study.running.push_back(e.name);
+  if (study.state == "finished") return;  // nothing is missing, and a plan reads every design again
   try {
     const StudyPlan plan = plan_study(read_study(study.document, study.name));
     for (const PlannedDesign& planned : plan.designs)
