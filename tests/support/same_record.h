@@ -2,11 +2,17 @@
 #pragma once
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 
 #include "solver/model/history.h"
 
 namespace icebow {
+
+// Both of no damage at all: NaN.
+inline bool same_number(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
 
 inline void check_same_record(const History& a, const History& b) {
   static_assert(sizeof(HistoryRow) == 20 * sizeof(double), "no gaps between the fields that are compared");
