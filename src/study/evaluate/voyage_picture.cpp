@@ -9,7 +9,7 @@
 namespace icebow {
 namespace {
 
-constexpr double width = 1100.0, left = 70.0, right = 20.0, top = 40.0, plot_height = 190.0, between = 60.0;
+constexpr double width = 1100.0, left = 70.0, right = 92.0, top = 40.0, plot_height = 190.0, between = 60.0;
 
 const std::vector<StyleRule>& rules() {
   static const std::vector<StyleRule> all = {
