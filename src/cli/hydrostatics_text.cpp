@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "cli/text_table.h"
+#include "study/evaluate/result_json.h"
 
 namespace icebow {
 namespace {
@@ -47,30 +48,13 @@ std::string hydrostatics_text(const HydrostaticsReport& report) {
 }
 
 Json hydrostatics_json(const HydrostaticsReport& report) {
-  const Hydrostatics& h = report.values;
+  Json json = hydrostatics_json(report.values);
   Json sections = Json::array();
   for (const SectionArea& s : report.sections) sections.push_back({{"x_m", s.x}, {"area_m2", s.area}});
-  return {{"draft_m", h.draft},
-          {"trim_deg", degrees(report.at.trim)},
-          {"water_density_kg_m3", report.water_density},
-          {"length_m", h.length},
-          {"beam_m", h.beam},
-          {"volume_m3", h.volume},
-          {"displacement_kg", h.displacement},
-          {"LCB_m", h.buoyancy.x()},
-          {"TCB_m", h.buoyancy.y()},
-          {"KB_m", h.KB},
-          {"waterplane_area_m2", h.waterplane_area},
-          {"LCF_m", h.flotation.x()},
-          {"I_T_m4", h.I_T},
-          {"I_L_m4", h.I_L},
-          {"wetted_area_m2", h.wetted_area},
-          {"block_coefficient", h.block_coefficient},
-          {"waterplane_coefficient", h.waterplane_coefficient},
-          {"BM_T_m", h.BM_T},
-          {"BM_L_m", h.BM_L},
-          {"KM_T_m", h.KM_T},
-          {"sections", std::move(sections)}};
+  json["trim_deg"] = degrees(report.at.trim);
+  json["water_density_kg_m3"] = report.water_density;
+  json["sections"] = std::move(sections);
+  return json;
 }
 
 }  // namespace icebow

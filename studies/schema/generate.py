@@ -170,6 +170,12 @@ def make_schema(table):
     by["anyOf"] = [{"enum": RANKED_BY}, {"pattern": "^/.+_N$"}]
     top["designs"] = designs_schema(table)
     top["method"] = method_schema(table)
+    top["constraints"] = {"description": "what numbers of each result must keep to", "type": "array", "minItems": 1,
+                          "items": {"type": "object", "additionalProperties": False, "required": ["at"],
+                                    "anyOf": [{"required": ["min"]}, {"required": ["max"]}], "properties": {
+                                        "at": {"description": "pointer into the result", "type": "string", "pattern":
+                                               "^/(hull/margins|hydrostatics|lindqvist|cycle|metrics|programs)/."},
+                                        "min": {"type": "number"}, "max": {"type": "number"}}}}
     conditions = {s: patch_schema(keys, s) for s in ("ice", "water", "operation")}
     top["scenarios"] = {"description": "conditions that each design is judged over", "type": "array", "minItems": 1,
                         "maxItems": 100, "items": {

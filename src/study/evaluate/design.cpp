@@ -10,13 +10,22 @@
 
 namespace icebow {
 
+bool asks_for_hydrostatics(const Json& document) {
+  const Json& list = part_at(document, "/constraints");
+  return list.is_array() && std::any_of(list.begin(), list.end(), [](const Json& entry) {
+           return text_at(entry, "/at").rfind("/hydrostatics/", 0) == 0;
+         });
+}
+
 Evaluators evaluators_of(const Json& document) {
-  if (!document.contains("evaluators")) return {};
+  Evaluators usual;
+  usual.hydrostatics = asks_for_hydrostatics(document);
+  if (!document.contains("evaluators")) return usual;
   const Json& list = document.at("evaluators");
   const auto has = [&](const char* name) {
     return std::find(list.begin(), list.end(), Json(name)) != list.end();
   };
-  Evaluators asked{has("lindqvist"), has("peridynamics"), has("cycle")};
+  Evaluators asked{has("lindqvist"), has("peridynamics"), has("cycle"), {}, usual.hydrostatics};
   for (const Json& entry : list)
     if (const auto program = program_of(entry)) asked.programs.push_back(*program);
   return asked;

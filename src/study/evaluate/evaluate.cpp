@@ -15,6 +15,7 @@
 #include "formula/lindqvist.h"
 #include "geometry/mesh_slice.h"
 #include "hullgen/drawing/lines_plan.h"
+#include "hullgen/hydro/hydrostatics.h"
 #include "hullgen/mesh/mesh_io.h"
 #include "solver/run/checkpoint.h"
 #include "study/evaluate/calibration.h"
@@ -96,6 +97,15 @@ Hull unmeshed(const Case& c) {
   return hull;
 }
 
+// At the design draught; null where the water does not cut the mesh.
+Json afloat_json(const Case& c, const QuadMesh& mesh) {
+  try {
+    return hydrostatics_json(hydrostatics(mesh, {0.0, -c.bow.L / 2.0, 0.0}, c.water.rho));
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
 Ending measure_hull(Work& work) {
   const Case& c = work.given();
   const bool meshed = !work.design.asked.formula_alone();
@@ -104,6 +114,7 @@ Ending measure_hull(Work& work) {
   work.result["hull"] = hull_json(work.hull);
   if (c.own.given()) work.result["hull"]["imported"] = imported_json(c.own);
   if (work.hull.status != HullStatus::ok) return {EvaluationStatus::infeasible, work.hull.reason};
+  if (meshed) work.result["hydrostatics"] = afloat_json(c, work.hull.mesh);
   if (meshed && work.writes()) act_on_root(work.comm, [&] { write_hull(work); });
   return {};
 }

@@ -56,6 +56,27 @@ void add_ice_extent(Json& to, const Metrics& m, double factor) {
 
 }  // namespace
 
+Json hydrostatics_json(const Hydrostatics& h) {
+  return {{"draft_m", finite_or_null(h.draft)},
+          {"length_m", finite_or_null(h.length)},
+          {"beam_m", finite_or_null(h.beam)},
+          {"volume_m3", finite_or_null(h.volume)},
+          {"displacement_kg", finite_or_null(h.displacement)},
+          {"LCB_m", finite_or_null(h.buoyancy.x())},
+          {"TCB_m", finite_or_null(h.buoyancy.y())},
+          {"KB_m", finite_or_null(h.KB)},
+          {"waterplane_area_m2", finite_or_null(h.waterplane_area)},
+          {"LCF_m", finite_or_null(h.flotation.x())},
+          {"I_T_m4", finite_or_null(h.I_T)},
+          {"I_L_m4", finite_or_null(h.I_L)},
+          {"wetted_area_m2", finite_or_null(h.wetted_area)},
+          {"block_coefficient", finite_or_null(h.block_coefficient)},
+          {"waterplane_coefficient", finite_or_null(h.waterplane_coefficient)},
+          {"BM_T_m", finite_or_null(h.BM_T)},
+          {"BM_L_m", finite_or_null(h.BM_L)},
+          {"KM_T_m", finite_or_null(h.KM_T)}};
+}
+
 Json hull_json(const Hull& hull) {
   Json json = {{"requested_deg", angles_deg(hull.requested)},
                {"measured_deg", nullptr},

@@ -5,6 +5,7 @@
 #include "base/json.h"
 #include "formula/lindqvist.h"
 #include "hullgen/bow/bow.h"
+#include "hullgen/hydro/hydrostatics.h"
 #include "solver/run/simulation.h"
 #include "study/spec/own_hull.h"
 
@@ -13,6 +14,9 @@ namespace icebow {
 // {"requested_deg", "measured_deg", "derived_deg", "margins", "margin_sentences", "feasible", "reason",
 // "mesh"}; the caller adds "design". Angles in degrees, lengths in metres at the scale of `bow`. Where there
 // is no mesh, "measured_deg", "derived_deg" and "mesh" are null.
+// Keys end in their unit.
+Json hydrostatics_json(const Hydrostatics& h);
+
 Json hull_json(const Hull& hull);
 // {"file", "sha256", "repairs" in words, "bow_length_m", "depth_m"} of the user's own hull.
 Json imported_json(const OwnHull& own);

@@ -165,7 +165,8 @@ Design baseline_of(const StudySpec& spec) {
   return {"baseline",
           document_of_one(spec),
           parameters_of(spec, spec.document),
-          {spec.use_lindqvist, spec.use_peridynamics, spec.use_cycle, spec.programs},
+          {spec.use_lindqvist, spec.use_peridynamics, spec.use_cycle, spec.programs,
+           evaluators_of(spec.document).hydrostatics},
           spec.baseline,
           ""};
 }

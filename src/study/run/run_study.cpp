@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "study/evaluate/calibration.h"
 #include "study/evaluate/result_keys.h"
+#include "study/plan/constraints.h"
 #include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
 #include "study/plan/repeats.h"
@@ -266,6 +267,8 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
   }
   if (!stored) return false;
   const Json before = to_json(*stored);
+  apply_constraints(spec_.constraints, *stored);
+  if (lacks_a_number(*stored) && !planned.design.asked.peridynamics) return false;
   if (stored->status == EvaluationStatus::running) {
     const Crashes crashes = crashes_of(*stored, settings_.directory);
     if (crashes.count < 2) return false;
@@ -355,6 +358,7 @@ void StudyLoop::keep(Evaluation& evaluation) {
   }
   evaluation.key = planned.key;
   evaluation.parameters = planned.design.parameters;
+  apply_constraints(spec_.constraints, evaluation);
   complete_result(evaluation, settings_.directory, !planned.design.asked.formula_alone());
   store_.put(evaluation);
 }

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "study/spec/spec_case.h"
+#include "study/spec/spec_constraints.h"
 #include "study/spec/spec_designs.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
@@ -147,6 +148,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
                     execution.number("time_limit")};
   if (evaluators_known) check_repeats(spec, mistakes);
   if (evaluators_known) check_scenarios(spec, mistakes);
+  if (evaluators_known) parse_constraints(document, spec, mistakes);
   read_decide(document, spec, mistakes.empty(), mistakes);
   check_not_empty(spec, mistakes);
   return spec;

@@ -272,8 +272,9 @@ const std::vector<std::string>& design_sections() {
 
 const std::vector<std::string>& structural_keys() {
   static const std::vector<std::string> keys = {
-      "bow",        "hull",    "ice",       "water",  "sheet",   "operation", "solver",  "cycle",    "output",
-      "evaluators", "designs", "scenarios", "method", "confirm", "decide",    "ranking", "execution"};
+      "bow",         "hull",   "ice",     "water",      "sheet",   "operation",
+      "solver",      "cycle",  "output",  "evaluators", "designs", "scenarios",
+      "constraints", "method", "confirm", "decide",     "ranking", "execution"};
   return keys;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -76,8 +77,11 @@ struct ProgramEvaluator {
 struct Evaluators {
   bool lindqvist = true, peridynamics = true, cycle = false;
   std::vector<ProgramEvaluator> programs = {};
+  bool hydrostatics = false;  // a constraint asks for them, so there must be a mesh
 
-  bool formula_alone() const { return lindqvist && !peridynamics && !cycle && programs.empty(); }
+  bool formula_alone() const {
+    return lindqvist && !peridynamics && !cycle && programs.empty() && !hydrostatics;
+  }
 };
 
 enum class MethodType {
@@ -138,12 +142,19 @@ struct Execution {
   double time_limit_s = 0.0;  // per design; 0 = none
 };
 
+// What a number of each result must keep to.
+struct ResultConstraint {
+  std::string at;  // its pointer in the result
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+};
+
 struct StudySpec {
   std::string file, name, purpose;
   Json document;  // as read: named designs and variables are applied to it
   Case baseline;
   bool use_lindqvist = true, use_cycle = false, use_peridynamics = true;
   std::vector<ProgramEvaluator> programs;
+  std::vector<ResultConstraint> constraints;
   Method method;
   std::vector<NamedDesign> designs;
   bool include_baseline = true;

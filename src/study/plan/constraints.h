@@ -1,0 +1,20 @@
+// Constraints on results: they judge what was evaluated, so a changed bound costs no evaluation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/evaluate/evaluation.h"
+#include "study/spec/study_spec.h"
+
+namespace icebow {
+
+// Makes an evaluation that is ok infeasible where its result breaks a constraint, and failed where it lacks
+// the number; the result then has "constraint" (the pointer), by which a later call with other constraints
+// finds that it was ok.
+void apply_constraints(const std::vector<ResultConstraint>& constraints, Evaluation& evaluation);
+
+// Whether the last call found a number missing.
+bool lacks_a_number(const Evaluation& evaluation);
+
+}  // namespace icebow
