@@ -61,14 +61,40 @@ std::string sentence(std::string words) {
   return words.back() == '.' ? words : words + '.';
 }
 
+// What is claimed of the design that the headline names: no more than a race has decided.
+std::string claim(const StudyResults& study) {
+  const RaceRecord& race = study.ranking.race;
+  const std::string quantity = ranked_quantity(study.ranking.rank_by);
+  if (!race.given() || (race.state == RaceState::decided && race.legs.back().in.size() == 1))
+    return " has the lowest " + quantity;
+  if (race.state == RaceState::decided)
+    return " has the lowest " + quantity + " within " + fixed(100.0 * race.best_within, 0) + "\u00a0%";
+  return " leads with a " + quantity + " of";
+}
+
+std::string open_race_clause(const RaceRecord& race) {
+  if (!race.given() || race.state == RaceState::decided) return "";
+  const std::size_t others = race.legs.back().in.size() - 1;
+  return "; the race is not decided: " + counted(others, "other design") + " may be lower";
+}
+
+// The one that leads a race may have a higher mean than one that went out by an earlier, luckier record.
+const RankedDesign& best_design(const StudyResults& study) {
+  const RaceRecord& race = study.ranking.race;
+  for (const RankedDesign& row : study.ranking.rows)
+    if (race.given() && row.rank > 0 && row.evaluation.name == race.legs.back().leader) return row;
+  return study.ranking.rows.front();
+}
+
 std::string headline(const StudyResults& study, int ranked) {
   if (ranked > 0) {
-    const RankedDesign& best = study.ranking.rows.front();
+    const RankedDesign& best = best_design(study);
     const std::string angles = angles_in_words(best, study.ranking);
     const std::string versus = best.evaluation.name == "baseline" ? "" : versus_in_words(best, study);
-    return best.evaluation.name + (angles.empty() ? "" : " (" + angles + ")") + " has the lowest " +
-           ranked_quantity(study.ranking.rank_by) + ", " + value_in_words(best, study.ranking) +
-           (versus.empty() ? "" : ", " + versus) + tie_clause(study, ranked) + '.';
+    return best.evaluation.name + (angles.empty() ? "" : " (" + angles + ")") + claim(study) +
+           (open_race_clause(study.ranking.race).empty() ? ", " : " ") + value_in_words(best, study.ranking) +
+           (versus.empty() ? "" : ", " + versus) + tie_clause(study, ranked) +
+           open_race_clause(study.ranking.race) + '.';
   }
   if (study.evaluated() == 0) return "No design has been evaluated yet.";
   if (study.ok == 0) return "No design could be ranked: each was infeasible or failed.";

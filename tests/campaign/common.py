@@ -14,7 +14,7 @@ MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
        "OMPI_MCA_btl_base_warn_component_unused": "0", "OPENTURNS_NUM_THREADS": "1", "NO_COLOR": "1"}
 # Measured, not computed: no two runs have the same.
-TIMES = {"wall_s", "output_s", "ns_per_bond", "profile", "provenance", "notes"}
+TIMES = {"wall_s", "output_s", "ns_per_bond", "profile", "provenance", "notes", "core_hours"}
 
 
 def options(description, **defaults):
@@ -102,7 +102,7 @@ def histories_of(directory):
 
 def outcome_of(place, directory):
     ranking = place.run("rank", directory, "--json")
-    return rows_of(directory), histories_of(directory), json.loads(ranking.stdout) if ranking.returncode == 0 else None
+    return rows_of(directory), histories_of(directory), lasting(json.loads(ranking.stdout)) if ranking.returncode == 0 else None
 
 
 def is_one_sentence(text):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Ends studies at random moments, by SIGKILL, SIGINT, SIGTERM and SIGHUP, in both launchers, with an optimiser, with
-repeats, and with a checkpoint every few milliseconds; then the same command again until it ends by itself. What it
-comes to must equal the undisturbed study bit for bit: every row but its times, every history, the ranking."""
+repeats, with a race that sails voyages on, and with a checkpoint every few milliseconds; then the same command again
+until it ends by itself. What it comes to must equal the undisturbed study bit for bit: every row but its times, every
+history, the ranking."""
 import random
 import signal
 import subprocess
@@ -13,8 +14,13 @@ import common
 GRID = {"method": {"type": "grid", "variables": {"/bow/stem_deg": {"values": [24, 26]}}}, "designs": [], "repeats": 2}
 OPTIMISER = {"method": {"type": "optimise", "algorithm": "sbplx", "max_evaluations": 4,
                         "variables": {"/bow/stem_deg": {"min": 20, "max": 28}}}, "designs": []}
-CASES = {"isolated, repeats": (GRID, 0), "isolated, optimiser": (OPTIMISER, 0),
-         "embedded, 2 ranks, repeats": (GRID, 2), "embedded, 2 ranks, optimiser": (OPTIMISER, 2)}
+RACE = {"method": {"type": "grid", "variables": {"/bow/stem_deg": {"values": [24, 32]}}}, "designs": [],
+        "sheet": {"length_m": 46, "width_m": 30, "window_ahead_m": 12},
+        "operation": {"speed_kn": 6, "advance_m": 10, "steady_from_m": 1},
+        "decide": {"best_within": 0.02, "longest_m": 20}}
+CASES = {"isolated, repeats": (GRID, 0), "isolated, optimiser": (OPTIMISER, 0), "isolated, race": (RACE, 0),
+         "embedded, 2 ranks, repeats": (GRID, 2), "embedded, 2 ranks, optimiser": (OPTIMISER, 2),
+         "embedded, 2 ranks, race": (RACE, 2)}
 OFTEN = {"ICEBOW_CHECKPOINT_SECONDS": "0.02"}  # so that many a blow falls while one is written
 
 

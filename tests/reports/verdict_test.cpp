@@ -34,6 +34,11 @@ bool says(const Verdict& words, const std::string& part) {
 
 }  // namespace
 
+bool says_in(const std::string& text, const std::string& words) {
+  INFO(text);
+  return text.find(words) != std::string::npos;
+}
+
 TEST_CASE("the best design is told from the others, or the others are counted") {
   const Verdict alone = verdict(study_of({measured("a", 1.2e6, 5e4), measured("b", 0.8e6, 6e4)}));
   CHECK(alone.ranks);
@@ -128,6 +133,24 @@ TEST_CASE("other quantities carry their own unit") {
   const Verdict formula = verdict(
       study_of({measured("a", 1e6, 4e4, 9.5e5), measured("b", 1e6, 4e4, 9.9e5)}, "lindqvist_breaking"));
   CHECK(formula.headline == "a has the lowest breaking resistance by Lindqvist's formula, 0.950\u00a0MN.");
+}
+
+TEST_CASE("of a race the headline claims no more than was decided") {
+  StudyResults study =
+      study_of({measured("a", 1.0e6, 4e4), measured("b", 1.02e6, 4e4), measured("c", 2e6, 4e4)});
+  study.state = "finished";
+  RaceRecord& race = study.ranking.race;
+  race.best_within = 0.1, race.confidence = 0.95;
+  race.state = RaceState::budget;
+  race.legs = {{{{"a", 80.0}, {"b", 80.0}, {"c", 80.0}}, {"a", "b"}, "a", 0.12, 1.0}};
+  CHECK(says_in(verdict(study).headline, "a leads with a mean ice load of 1.00"));
+  CHECK(says_in(verdict(study).headline, "the race is not decided: 1 other design may be lower."));
+  CHECK(says_in(verdict(study).next, "decide.budget_core_h"));
+  CHECK(says(verdict(study), "Not decided: a leads, and is at most 12 % above"));
+  race.state = RaceState::decided;
+  CHECK(says_in(verdict(study).headline, "a has the lowest mean ice load within 10\u00a0%, 1.00"));
+  race.legs.back().in = {"a"};
+  CHECK(says_in(verdict(study).headline, "a has the lowest mean ice load, 1.00"));
 }
 
 TEST_CASE("nothing ranked is said, not hidden") {
