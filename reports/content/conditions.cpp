@@ -22,14 +22,15 @@ struct Condition {
   int decimals;
   double factor;
   bool of_ship;  // the ranking compares unlike things where it differs
+  bool of_scenario = false;
 };
 
 const Condition all_conditions[] = {
-    {"Ice thickness", result_key::thickness, "m", 2, 1.0, true},
-    {"Ship speed", result_key::speed, "kn", 2, 1.0 / metres_per_second_per_knot, true},
-    {"Flexural strength, formula", result_key::flexural_strength, "kPa", 0, 1e-3, true},
-    {"Elastic modulus, formula", result_key::elastic_modulus, "GPa", 2, 1e-9, true},
-    {"Hull friction", result_key::friction, "", 2, 1.0, true},
+    {"Ice thickness", result_key::thickness, "m", 2, 1.0, true, true},
+    {"Ship speed", result_key::speed, "kn", 2, 1.0 / metres_per_second_per_knot, true, true},
+    {"Flexural strength, formula", result_key::flexural_strength, "kPa", 0, 1e-3, true, true},
+    {"Elastic modulus, formula", result_key::elastic_modulus, "GPa", 2, 1e-9, true, true},
+    {"Hull friction", result_key::friction, "", 2, 1.0, true, true},
     {"Ship length", result_key::ship_length, "m", 1, 1.0, true},
     {"Beam", result_key::ship_beam, "m", 1, 1.0, true},
     {"Draught", result_key::draught, "m", 1, 1.0, true},
@@ -154,6 +155,19 @@ const Condition* first_difference(const StudyResults& study) {
   return nullptr;
 }
 
+// "thin (weight 0.7), thick (weight 0.3)".
+std::string scenarios_in_words(const Json& document) {
+  const Json& list = part_at(document, "/scenarios");
+  if (!list.is_array()) return {};
+  std::vector<std::string> words;
+  for (const Json& one : list) {
+    const double weight = number_at(one, "/weight");
+    words.push_back(text_at(one, "/name") +
+                    (std::isfinite(weight) ? " (weight " + csv_number(weight) + ")" : ""));
+  }
+  return listed(words, 8);
+}
+
 // The ice the cycle and the formula take.
 std::string formula_ice(const StudyResults& study) {
   const Span strength = span_of(study, result_key::flexural_strength, 1e-3);
@@ -174,23 +188,34 @@ std::string unlike_ice_words(const Json& result) {
          fixed(formula / 1e3, 0) + "\u00a0kPa";
 }
 
+std::string over_scenarios(const Json& document) {
+  const Json& list = part_at(document, "/scenarios");
+  if (!list.is_array() || list.empty()) return {};
+  return " over " + std::to_string(list.size()) + " scenarios, by their " +
+         (text_at(document, "/ranking/over_scenarios") == "worst" ? "worst" : "weighted mean");
+}
+
 Conditions conditions(const StudyResults& study) {
   Conditions found;
+  const std::string scenarios = scenarios_in_words(study.document);
+  add(found.shared, "Scenarios", scenarios);
   for (const Condition& c : all_conditions)
-    add(found.shared, c.label,
-        span_in_words(span_of(study, c.pointer, c.factor), c.decimals, c.unit,
-                      c.label == std::string("Model scale") ? "1\u2009:\u2009" : ""));
+    if (scenarios.empty() || !c.of_scenario)
+      add(found.shared, c.label,
+          span_in_words(span_of(study, c.pointer, c.factor), c.decimals, c.unit,
+                        c.label == std::string("Model scale") ? "1\u2009:\u2009" : ""));
   add_simulated(study, found);
   for (const RankedDesign& row : study.ranking.rows)
     if (found.unlike_ices.empty()) found.unlike_ices = unlike_ice_words(row.evaluation.result);
-  const std::string formula = formula_ice(study);
+  const std::string formula = scenarios.empty() ? formula_ice(study) : "";
+  if (!scenarios.empty()) found.ice = "Loads" + over_scenarios(study.document) + ": " + scenarios + ".";
   if (found.ice.empty() && !formula.empty())
     found.ice = "Ice: " + formula + " in bending.";
   else if (!found.unlike_ices.empty())
     found.ice += ". The formula's ice has " +
                  span_in_words(span_of(study, result_key::flexural_strength, 1e-3), 0, "kPa") +
                  ": their loads are of unlike ices.";
-  else if (!found.ice.empty())
+  else if (!found.ice.empty() && scenarios.empty())
     found.ice += formula.empty() ? "." : "; the formula takes " + formula + ".";
   if (const Condition* c = first_difference(study))
     found.unlike_ships = std::string("The ranking compares unlike cases: ") + c->label + " is " +

@@ -23,6 +23,8 @@ struct Conditions {
 };
 
 Conditions conditions(const StudyResults& study);
+// " over 2 scenarios, by their worst" of a study file with scenarios, else nothing.
+std::string over_scenarios(const Json& document);
 
 // "simulated in ice of 5952 kPa, the formula in ice of 863 kPa" where they differ by more than a quarter;
 // else empty.

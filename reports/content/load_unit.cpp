@@ -7,10 +7,14 @@
 
 namespace icebow {
 
+bool is_own_number(const std::string& rank_by) {
+  return !rank_by.empty() && rank_by[0] == '/';
+}
+
 LoadUnit load_unit(const Ranking& ranking) {
   double largest = 0.0;
   for (const RankedDesign& row : ranking.rows)
-    for (const double load : {row.mean_load, row.lindqvist})
+    for (const double load : {row.mean_load, row.lindqvist, is_own_number(ranking.rank_by) ? row.value : NAN})
       if (std::isfinite(load)) largest = std::max(largest, std::abs(load));
   if (largest > 0.0 && largest < 1e5) return {"kN", 1e3, largest < 1e4 ? 2 : 1};
   return {"MN", 1e6, largest < 1e7 ? 3 : 2};
@@ -32,11 +36,21 @@ std::string ranked_quantity(const std::string& rank_by) {
   if (rank_by == "mean_load") return "mean ice load";
   if (rank_by == "mean_load_per_beam") return "mean ice load per metre of beam";
   if (rank_by == "lindqvist_breaking") return "breaking resistance by Lindqvist's formula";
-  return rank_by;
+  if (rank_by == "cycle_load") return "mean load by the breaking cycle";
+  if (!is_own_number(rank_by)) return rank_by;
+  // "/programs/yard/ice_resistance_N" reads "ice resistance by yard".
+  const std::size_t last = rank_by.rfind('/');
+  std::string words = rank_by.substr(last + 1);
+  if (words.size() > 2 && words.compare(words.size() - 2, 2, "_N") == 0) words.resize(words.size() - 2);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  const std::size_t before = last > 0 ? rank_by.rfind('/', last - 1) : std::string::npos;
+  return before == std::string::npos ? words : words + " by " + rank_by.substr(before + 1, last - before - 1);
 }
 
 double value_ci95(const RankedDesign& row, const std::string& rank_by) {
-  if (rank_by == "lindqvist_breaking") return std::nan("");  // a formula has no sampling error
+  if (rank_by == "lindqvist_breaking" || is_own_number(rank_by))
+    return std::nan("");  // a formula has no sampling error
+  if (rank_by == "cycle_load") return row.cycle_ci95;
   return row.mean_load != 0.0 ? row.mean_load_ci95 * row.value / row.mean_load : std::nan("");
 }
 

@@ -24,6 +24,8 @@ int decimals_for_interval(double half_width, int least, int most);
 
 // "mean ice load", "mean ice load per metre of beam" ...: what the designs are ranked by.
 std::string ranked_quantity(const std::string& rank_by);
+// A load of a result by its pointer, like "/programs/yard/resistance_N".
+bool is_own_number(const std::string& rank_by);
 // Half width of the 95 % interval of RankedDesign::value [unit of value]; NaN where unknown.
 double value_ci95(const RankedDesign& row, const std::string& rank_by);
 

@@ -64,7 +64,7 @@ std::string sentence(std::string words) {
 // What is claimed of the design that the headline names: no more than a race has decided.
 std::string claim(const StudyResults& study) {
   const RaceRecord& race = study.ranking.race;
-  const std::string quantity = ranked_quantity(study.ranking.rank_by);
+  const std::string quantity = ranked_quantity(study.ranking.rank_by) + over_scenarios(study.document);
   if (!race.given() || (race.state == RaceState::decided && race.legs.back().in.size() == 1))
     return " has the lowest " + quantity;
   if (race.state == RaceState::decided)
@@ -138,13 +138,19 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
   if (!bound.empty())
     return "The best design lies at an end of the range of " + bound + ": widen it, and sweep again.";
   const std::string& best = ranking.rows.front().evaluation.name;
-  if (ranking.confirmed.designs == 0 && std::isfinite(ranking.rows.front().cycle_load))
+  const bool sails = std::isfinite(ranking.rows.front().cycle_load);
+  if (sails && !over_scenarios(study.document).empty() && !tie_clause(study, ranked).empty())
+    return "Tell the leaders apart: sail more voyages (cycle.voyages).";
+  if (ranking.confirmed.designs == 0 && sails && over_scenarios(study.document).empty())
     return "Confirm the order by the simulation: add \"confirm\": {\"best\": 3, \"spread\": 2} to the study.";
   if (ranking.rank_by == "lindqvist_breaking")
     return "The formula knows two of the four angles: add \"cycle\" to \"evaluators\", which sees the whole "
            "hull.";
   if (!tie_clause(study, ranked).empty())
     return "Tell the leaders apart: repeat them (\"repeats\") or sail farther (operation.advance_m).";
+  if (!part_at(ranking.rows.front().evaluation.result, result_key::simulation).is_object())
+    return "Put a second evaluator beside it: \"cycle\" in \"evaluators\" sees the whole hull within a "
+           "second.";
   return "Simulate " + best +
          " on a finer lattice (solver.layers): the level of its load, and the order, may change.";
 }
@@ -215,7 +221,7 @@ std::string versus_in_words(const RankedDesign& row, const StudyResults& study) 
   if (other == &row || row.evaluation.name == other->evaluation.name || other->value == 0.0) return {};
   const std::string apart = apart_in_words(row.value, other->value, name);
   const MeanDifference difference = compared_with(row, *other, study.ranking.rank_by);
-  if (study.ranking.rank_by == "lindqvist_breaking") return apart;
+  if (difference.ci95 == 0.0) return apart;  // without sampling error
   if (!std::isfinite(difference.ci95)) return apart + ", by means whose intervals are not known";
   return apart + " (" + p_in_words(difference.p) +
          (difference.p < told_apart_below ? ")" : ": not told apart)");

@@ -125,6 +125,22 @@ Json lindqvist_table(const Json& result, const RankedDesign& ranked, const LoadU
   return table_view("Lindqvist's formula", {unit.name}, rows);
 }
 
+// Of a study over scenarios, what the loads are made of.
+Json scenarios_table(const Json& result, const LoadUnit& unit) {
+  const Json& list = part_at(result, result_key::scenarios);
+  if (!list.is_array()) return nullptr;
+  Json rows = Json::array();
+  for (const Json& one : list) {
+    const auto load = [&](const char* key) {
+      return fixed(number_at(one, key) / unit.newtons, unit.decimals);
+    };
+    rows.push_back(
+        row_view(text_at(one, "/name"), {csv_number(number_at(one, "/weight")), load(result_key::cycle_load),
+                                         load(result_key::lindqvist_total)}));
+  }
+  return table_view("Scenarios", {"weight", "cycle, " + unit.name, "Lindqvist, " + unit.name}, rows);
+}
+
 Json cycle_table(const RankedDesign& ranked, const LoadUnit& unit) {
   const Json& result = ranked.evaluation.result;
   if (!std::isfinite(number_at(result, result_key::cycle_load))) return nullptr;
@@ -317,9 +333,9 @@ Json card_body_view(const ReportContent& content, std::size_t i) {
                                 : "No lines plan was written for this design; icebow hull draws one."},
           {"imported", imported_note(result)},
           {"cautions", cautions(result)},
-          {"tables",
-           tables_view({angles_table(result), loads_table(content, ranked, lambda),
-                        lindqvist_table(result, ranked, content.unit), cycle_table(ranked, content.unit)})},
+          {"tables", tables_view({angles_table(result), loads_table(content, ranked, lambda),
+                                  lindqvist_table(result, ranked, content.unit),
+                                  cycle_table(ranked, content.unit), scenarios_table(result, content.unit)})},
           {"voyage", design.voyage},
           {"process", process_view(result, lambda)},
           {"has_pictures", !design.pictures.empty()},

@@ -59,11 +59,6 @@ Json first_screen(const ReportContent& content) {
           {"remarks", content.verdict.remarks}};
 }
 
-std::string capitalised(std::string words) {
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
-}
-
 bool is_optimised(const StudyResults& study) {
   return text_at(study.document, "/method/type") == "optimise";
 }

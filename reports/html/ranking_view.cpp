@@ -5,6 +5,7 @@
 
 #include "base/json_fields.h"
 #include "reports/content/comparison.h"
+#include "reports/content/load_unit.h"
 #include "reports/html/table_view.h"
 #include "reports/tables/table_report.h"
 #include "reports/text/text_format.h"
@@ -56,7 +57,9 @@ Json angle_cell(double value, const Range& range) {
   return json;
 }
 
-double bar_length(const RankedDesign& row) {
+// What a study's own number ranks is the bar; else the mean load, or Lindqvist's value where there is none.
+double bar_length(const RankedDesign& row, const std::string& by) {
+  if (is_own_number(by)) return row.value;
   return std::isfinite(row.mean_load) ? row.mean_load : row.lindqvist;
 }
 
@@ -65,13 +68,12 @@ Json whisker(double mean, double half, double full) {
   return {{"from", percent(mean - half, full)}, {"to", percent(mean + half, full)}};
 }
 
-// Bar to the mean (to Lindqvist's value where nothing else is), whiskers over the interval, a diamond at
-// Lindqvist's value. `full` newtons fill the width.
-Json load_bar(const RankedDesign& row, double full) {
-  const double length = bar_length(row);
+// Whiskers over the mean's interval, a diamond at Lindqvist's value. `full` newtons fill the width.
+Json load_bar(const RankedDesign& row, const std::string& by, double full) {
+  const double length = bar_length(row, by);
   if (!std::isfinite(length) || full <= 0.0) return nullptr;
   return {{"width", percent(length, full)},
-          {"whisker", whisker(length, std::isfinite(row.mean_load) ? row.mean_load_ci95 : NAN, full)},
+          {"whisker", whisker(length, length == row.mean_load ? row.mean_load_ci95 : NAN, full)},
           {"lindqvist",
            std::isfinite(row.lindqvist) && std::isfinite(row.mean_load) ? percent(row.lindqvist, full) : ""}};
 }
@@ -79,8 +81,8 @@ Json load_bar(const RankedDesign& row, double full) {
 double largest_load(const Ranking& ranking) {
   double largest = 0.0;
   for (const RankedDesign& row : ranking.rows)
-    for (const double load :
-         {row.mean_load + (std::isfinite(row.mean_load_ci95) ? row.mean_load_ci95 : 0.0), row.lindqvist})
+    for (const double load : {row.mean_load + (std::isfinite(row.mean_load_ci95) ? row.mean_load_ci95 : 0.0),
+                              row.lindqvist, bar_length(row, ranking.rank_by)})
       if (row.rank > 0 && std::isfinite(load)) largest = std::max(largest, load);
   return 1.05 * largest;
 }
@@ -129,6 +131,8 @@ Json cells_of(const ReportContent& content, std::size_t i, const Range ranges[4]
   Json cells = Json::array();
   for (int k = 0; k < 4; ++k)
     cells.push_back(angle_cell(measured_or_requested(row.evaluation.result, angle_names[k]), ranges[k]));
+  if (is_own_number(content.study.ranking.rank_by))
+    cells.push_back(cell(row.value, fixed(row.value / unit.newtons, unit.decimals), "num strong"));
   if (content.has_loads()) {
     cells.push_back(mean_cell(content, row, content.designs[i].lambda));
     const double peak = peak_of(content, row);
@@ -162,7 +166,7 @@ Json row_of(const ReportContent& content, std::size_t i, const Range ranges[4], 
                                   : ""},
           {"outline", outline_view(outline)},
           {"cells", cells_of(content, i, ranges)},
-          {"bar", load_bar(row, full)},
+          {"bar", load_bar(row, content.study.ranking.rank_by, full)},
           {"p", csv_number(against.p)},
           {"ties", std::isnan(against.p) ? "" : p_in_words(against.p) + (against.tied ? " \u2248" : "")}};
 }
@@ -177,6 +181,8 @@ Json columns_of(const ReportContent& content) {
   Json columns = {column("Rank", ""), column("Design", "", "text")};
   for (const char* label : {"Stem", "Water\u00adline", "Buttock", "Flare"})
     columns.push_back(column(label, "deg", "num angle"));
+  if (is_own_number(content.study.ranking.rank_by))
+    columns.push_back(column(capitalised(ranked_quantity(content.study.ranking.rank_by)), unit));
   if (content.has_loads()) {
     bool model = false;
     for (const DesignContent& design : content.designs) model = model || design.lambda > 1.0;

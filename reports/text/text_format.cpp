@@ -1,6 +1,7 @@
 #include "reports/text/text_format.h"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -132,6 +133,11 @@ std::string base64(const std::string& bytes) {
     for (std::size_t k = 0; k < 4; ++k) out += k <= n ? alphabet[group >> (18 - 6 * k) & 63] : '=';
   }
   return out;
+}
+
+std::string capitalised(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
 }
 
 std::string listed(const std::vector<std::string>& names, std::size_t most) {

@@ -30,6 +30,7 @@ std::string json_for_script(const Json& json);
 std::string base64(const std::string& bytes);
 
 // "a", "a and b", "a, b and c"; beyond `most` names "a, b and 4 more".
+std::string capitalised(std::string words);
 std::string listed(const std::vector<std::string>& names, std::size_t most);
 
 }  // namespace icebow

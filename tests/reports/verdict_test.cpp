@@ -153,6 +153,32 @@ TEST_CASE("of a race the headline claims no more than was decided") {
   CHECK(says_in(verdict(study).headline, "a has the lowest mean ice load, 1.00"));
 }
 
+TEST_CASE("a number of the study's own program is ranked in plain words, without a test of its error") {
+  std::vector<Evaluation> designs = {measured("baseline", 1e6, 4e4), measured("b", 1e6, 4e4)};
+  designs[0].result["programs"] = {{"yard", {{"ice_resistance_N", 4e6}}}};
+  designs[1].result["programs"] = {{"yard", {{"ice_resistance_N", 3e6}}}};
+  const Verdict words = verdict(study_of(designs, "/programs/yard/ice_resistance_N"));
+  CHECK(words.headline ==
+        "b has the lowest ice resistance by yard, 3.000\u00a0MN, 25\u00a0% below the baseline.");
+  CHECK(words.next.find("lattice") == std::string::npos);
+  CHECK(ranked_quantity("/lindqvist/total_N") == "total by lindqvist");
+}
+
+TEST_CASE("loads over scenarios say so, and do not pass the first one's ice for all") {
+  std::vector<Evaluation> designs = {measured("a", 1e6, 4e4)};
+  designs[0].result["lindqvist"]["inputs"] = {{"h_m", 0.6}, {"sigma_f_Pa", 5e5}, {"B_m", 20.0}};
+  StudyResults study = study_of(designs);
+  study.document = {
+      {"scenarios", {{{"name", "thin"}, {"weight", 0.7}}, {{"name", "thick"}, {"weight", 0.3}}}},
+      {"ranking", {{"over_scenarios", "worst"}}}};
+  CHECK(
+      verdict(study).headline ==
+      "a has the lowest mean ice load over 2 scenarios, by their worst, 1.00\u00a0\u00b1\u00a00.04\u00a0MN.");
+  const Conditions found = conditions(study);
+  CHECK(found.ice == "Loads over 2 scenarios, by their worst: thin (weight 0.7) and thick (weight 0.3).");
+  for (const Fact& fact : found.shared) CHECK(fact.label != "Ice thickness");
+}
+
 TEST_CASE("nothing ranked is said, not hidden") {
   StudyResults none;
   CHECK(verdict(none).headline == "No design has been evaluated yet.");

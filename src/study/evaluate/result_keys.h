@@ -116,6 +116,7 @@ constexpr const char* ranks = "/provenance/ranks";
 constexpr const char* simulation_seconds = "/simulation/wall_s";
 constexpr const char* sailed_to = "/sailed_to_m";        // of a voyage in a race only
 constexpr const char* sailing_ended = "/sailing_ended";  // why such a voyage cannot be sailed on, in words
+constexpr const char* scenarios = "/scenarios";
 constexpr const char* pictures = "/files/pictures";
 constexpr const char* process = "/process";
 constexpr const char* sheet_thickness = "/process/thickness_m";
