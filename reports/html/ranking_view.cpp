@@ -146,12 +146,22 @@ Json cells_of(const ReportContent& content, std::size_t i, const Range ranges[4]
 struct AgainstBest {
   double p;
   bool tied;
+  std::string words;
 };
 
+// By the race where the study decides, which has looked at the records several times; else by one test.
 AgainstBest against_best(const ReportContent& content, std::size_t i) {
-  if (content.row(i).rank <= 1) return {NAN, false};
-  const double p = compared_with(content.row(i), content.row(0), content.study.ranking.rank_by).p;
-  return {p, p >= told_apart_below};
+  const RankedDesign& row = content.row(i);
+  const Ranking& ranking = content.study.ranking;
+  const std::string place = place_in_race(ranking.race, row.evaluation.name);
+  const double p = row.rank <= 1 ? NAN : compared_with(row, content.row(0), ranking.rank_by).p;
+  if (!place.empty()) {
+    const auto& in = ranking.race.legs.back().in;
+    const bool open = std::find(in.begin(), in.end(), row.evaluation.name) != in.end();
+    return {p, open && row.rank > 1, place};
+  }
+  const bool tied = p >= told_apart_below;
+  return {p, tied, std::isnan(p) ? "" : p_in_words(p) + (tied ? " \u2248" : "")};
 }
 
 Json row_of(const ReportContent& content, std::size_t i, const Range ranges[4], double full) {
@@ -168,7 +178,7 @@ Json row_of(const ReportContent& content, std::size_t i, const Range ranges[4], 
           {"cells", cells_of(content, i, ranges)},
           {"bar", load_bar(row, content.study.ranking.rank_by, full)},
           {"p", csv_number(against.p)},
-          {"ties", std::isnan(against.p) ? "" : p_in_words(against.p) + (against.tied ? " \u2248" : "")}};
+          {"ties", against.words}};
 }
 
 Json column(const std::string& label, const std::string& unit, const char* kind = "num", bool sorts = true) {
@@ -193,7 +203,10 @@ Json columns_of(const ReportContent& content) {
     columns.push_back(column("Lindqvist", compared_part(content.study.ranking) + ", " + unit));
   if (content.has_loads() && content.has_lindqvist()) columns.push_back(column("Ratio", "mean / L."));
   columns.push_back(column("0 to " + fixed(full, 2) + "\u00a0" + unit, "", "scale", false));
-  if (content.has_loads()) columns.push_back(column("As 1?", "p of equal means"));
+  if (content.study.ranking.race.given())
+    columns.push_back(column("Race", ""));
+  else if (content.has_loads())
+    columns.push_back(column("As 1?", "p of equal means"));
   return columns;
 }
 
