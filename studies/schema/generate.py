@@ -39,6 +39,7 @@ METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"]
                "latin_hypercube": ["variables", "samples", "seed", "extends"],
                "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
                "central_composite": ["variables"], "box_behnken": ["variables"],
+               "table": ["file", "columns", "rows"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
 
 
@@ -152,6 +153,10 @@ def method_schema(table):
     schema = section_schema(table["keys"], "method")
     schema["properties"]["algorithm"]["enum"] = [a["name"] for a in table["algorithms"]]
     schema["properties"]["variables"] = variables_schema(table)
+    schema["properties"]["columns"] = {"description": "table: pointers into this file", "type": "array", "minItems": 1,
+                                       "items": {"type": "string", "pattern": "^/"}}
+    schema["properties"]["rows"] = {"description": "table: a number for each column", "type": "array", "minItems": 1,
+                                    "maxItems": 100000, "items": {"type": "array", "items": {"type": "number"}}}
     schema["properties"]["extends"] = {"description": "latin_hypercube: smaller numbers of samples that it grew from",
                                        "type": "array", "minItems": 1, "uniqueItems": True,
                                        "items": {"type": "integer", "minimum": 1, "maximum": 99999}}

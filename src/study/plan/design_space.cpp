@@ -132,6 +132,7 @@ std::vector<std::vector<double>> in_units(std::vector<std::vector<double>> point
 std::vector<std::vector<double>> method_points(const StudySpec& spec) {
   const Method& method = spec.method;
   if (method.type == MethodType::grid) return grid(method);
+  if (method.type == MethodType::table) return method.rows;
   if (method.type == MethodType::one_at_a_time) return one_at_a_time(spec);
   return in_units(unit_points(method), method.variables);
 }

@@ -17,6 +17,7 @@ bool is_within(const std::vector<Variable>& variables, const std::map<std::strin
 
 std::vector<std::string> notes_on_ranges(const StudySpec& spec) {
   std::vector<std::string> notes;
+  if (spec.method.type == MethodType::table) return notes;
   for (const Variable& v : spec.method.variables) {
     const double value = number_at(spec.document, v.pointer);
     if (!v.values.empty() || !std::isfinite(value) || (value >= v.lower && value <= v.upper)) continue;

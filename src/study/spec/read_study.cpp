@@ -13,6 +13,7 @@
 #include "study/spec/spec_hull.h"
 #include "study/spec/spec_method.h"
 #include "study/spec/spec_scenarios.h"
+#include "study/spec/spec_table.h"
 
 namespace icebow {
 namespace {
@@ -165,6 +166,7 @@ StudySpec read_study(const Json& document, const std::string& name) {
   Json resolved = document;
   resolve_hull_files(resolved, name);
   resolve_program_files(resolved, name);
+  take_in_table(resolved, name);
   StudySpec spec = parse_study(resolved, name, mistakes);
   if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
   return spec;

@@ -120,7 +120,8 @@ const std::vector<Key> table = {
   {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},
   {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
 
-  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "one_at_a_time", "latin_hypercube", "sobol", "halton", "central_composite", "box_behnken", "optimise"}},
+  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "one_at_a_time", "latin_hypercube", "sobol", "halton", "central_composite", "box_behnken", "table", "optimise"}},
+  {"method", "file", Quantity::text, 0, 0, false, none, "none", "table: CSV with a column for each variable, headed by its pointer, and a line for each design, from the study file's directory", {}},
   {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube, sobol, halton: number of designs", {}},
   {"method", "seed", Quantity::integer, 0, any, false, 1, "1", "latin_hypercube, optimise: seed of the random numbers", {}},
   {"method", "algorithm", Quantity::text, 0, 0, false, none, "cobyla", "optimise: which optimiser", {}},

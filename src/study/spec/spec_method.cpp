@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_table.h"
 #include "study/spec/spec_variables.h"
 
 namespace icebow {
 namespace {
 
 constexpr double most_designs = 100000;
+
+// Keys of "method" that are no single values.
+const std::vector<std::string> lists = {"variables", "extends", "columns", "rows"};
 
 const std::vector<MethodInfo>& types() {
   static const std::vector<MethodInfo> all = {
@@ -24,6 +28,7 @@ const std::vector<MethodInfo>& types() {
       {"halton", MethodType::halton, {"variables", "samples"}, {"min", "max"}},
       {"central_composite", MethodType::central_composite, {"variables"}, {"min", "max"}},
       {"box_behnken", MethodType::box_behnken, {"variables"}, {"min", "max"}},
+      {"table", MethodType::table, {"file", "columns", "rows"}, {}},
       {"optimise",
        MethodType::optimise,
        {"variables", "algorithm", "max_evaluations", "tolerance", "seed"},
@@ -135,8 +140,7 @@ std::vector<int> parse_extends(const Json& method, int samples, Mistakes& mistak
 void check_used(const Json& method, const MethodInfo& type, Mistakes& mistakes) {
   for (const auto& item : method.items()) {
     if (item.key() == "type" || is_one_of(type.keys, item.key())) continue;
-    const bool known =
-        item.key() == "variables" || item.key() == "extends" || find_spelling("method", item.key()).key;
+    const bool known = is_one_of(lists, item.key()) || find_spelling("method", item.key()).key;
     if (!known) continue;  // the section has said so
     const std::string takes = type.keys.empty() ? "it takes nothing else" : "it takes " + listed(type.keys);
     mistakes.push_back(
@@ -175,7 +179,7 @@ const Algorithm* find_algorithm(const std::string& name) {
 
 Method parse_method(const Json& document, Mistakes& mistakes) {
   Method method;
-  const Section section(document, "method", 1.0, mistakes, {"variables", "extends"});
+  const Section section(document, "method", 1.0, mistakes, lists);
   if (!document.contains("method") || !document.at("method").is_object()) return method;
   const std::string name = section.text("type", "list");
   const MethodInfo& type = type_named(name);
@@ -183,6 +187,7 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
   method.type = type.type;
   check_used(document.at("method"), type, mistakes);
   if (is_one_of(type.keys, "variables")) parse_variables(document, type, method, mistakes);
+  if (method.type == MethodType::table) parse_table(document, method, mistakes);
   if (is_one_of(type.keys, "samples")) method.samples = section.integer("samples");
   if (method.type == MethodType::latin_hypercube)
     method.extends = parse_extends(document.at("method"), method.samples, mistakes);

@@ -93,6 +93,7 @@ enum class MethodType {
   halton,
   central_composite,
   box_behnken,
+  table,
   optimise
 };
 
@@ -109,6 +110,7 @@ struct Method {
   std::vector<Variable> variables;
   int samples = 0;           // latin_hypercube, sobol, halton
   std::vector<int> extends;  // latin_hypercube: smaller numbers of samples that it grew from, ascending
+  std::vector<std::vector<double>> rows;  // table: a value for each variable
   std::uint64_t seed = 1;
   std::string algorithm;    // optimise: "sbplx", "cobyla", ...
   int max_evaluations = 0;  // optimise

@@ -1,8 +1,12 @@
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 
 #include "base/errors.h"
+#include "base/text_file.h"
 #include "base/units.h"
 #include "hullgen/bow/family.h"
 #include "study/evaluate/evaluator_inputs.h"
@@ -462,4 +466,41 @@ TEST_CASE("designs by their names: how many variables, levels and samples they t
   CHECK(
       only_mistake(with(R"({"method": {"type": "sobol", "seed": 3, "variables": {)" + one + "}}}")).pointer ==
       "/method/seed");
+}
+
+TEST_CASE("designs from a table") {
+  const auto path = std::filesystem::temp_directory_path() / ("icebow_table_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(path);
+  const auto message = [&](const std::string& csv) -> std::string {
+    write_text_file((path / "d.csv").string(), csv);
+    try {
+      const StudySpec spec =
+          read_study(with(R"({"method": {"type": "table", "file": "d.csv"}})"), (path / "s.json").string());
+      CHECK(spec.document.at("method").at("rows").size() == spec.method.rows.size());
+      std::filesystem::remove(path / "d.csv");  // the document has the numbers
+      const StudySpec again = read_study(spec.document, (path / "s.json").string());
+      std::string said;
+      for (const PlannedDesign& p : plan_study(again).designs)
+        for (const auto& [pointer, value] : p.design.parameters) said += pointer + " " + brief(value) + ";";
+      return said;
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string baseline = "/bow/stem_deg 24.35;/operation/speed_kn 4;";
+  CHECK(message("design,/bow/stem_deg,/operation/speed_kn\nd001,21,3\n\"a, b\",22.5,5\n") ==
+        baseline + "/bow/stem_deg 21;/operation/speed_kn 3;/bow/stem_deg 22.5;/operation/speed_kn 5;");
+  CHECK(message("\xef\xbb\xbf/bow/stem_deg;/operation/speed_kn\r\n21;3\r\n\r\n") ==
+        baseline + "/bow/stem_deg 21;/operation/speed_kn 3;");
+  CHECK_THAT(message("/bow/stem_deg;x\n21,5;1\n"),
+             Catch::Contains("d.csv, line 2, /bow/stem_deg") && Catch::Contains("write 21.5"));
+  CHECK_THAT(message("/bow/stem_deg,/ice/thickness_m\n21\n"), Catch::Contains("line 2: has 1 cells"));
+  CHECK_THAT(message("stem\n21\n"), Catch::Contains("names no column"));
+  CHECK_THAT(message("/bow/stem_deg\n95\n"), Catch::Contains("allowed 5 to 85 deg"));
+  CHECK_THAT(message("/bow/stm_deg\n21\n"), Catch::Contains("did you mean \"/bow/stem_deg\""));
+  CHECK(only_mistake(
+            with(R"({"method": {"type": "table", "columns": ["/bow/stem_deg"], "rows": [[20], [21, 3]]}})"))
+            .pointer == "/method/rows/1");
+  CHECK(only_mistake(with(R"({"method": {"type": "table"}})")).pointer == "/method/columns");
+  std::filesystem::remove_all(path);
 }
