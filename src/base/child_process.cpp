@@ -37,21 +37,26 @@ struct Pipe {
   }
 };
 
+// What a child's standard files become, and where it tells that it could not start.
+struct Ends {
+  int input, output, log, trouble;
+};
+
 // Between fork and exec: system calls only. Never returns.
-[[noreturn]] void become(char* const* arguments, char* const* environment, const char* directory, int input,
-                         int log, int output, int trouble, pid_t parent, int death_signal) {
+[[noreturn]] void become(char* const* arguments, char* const* environment, const char* directory,
+                         const Ends& ends, pid_t parent, int death_signal) {
   setpgid(0, 0);
   if (death_signal != 0) prctl(PR_SET_PDEATHSIG, death_signal);
   if (getppid() != parent) _exit(127);  // it died before the line above
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  dup2(input, 0);
-  dup2(output, 1);
-  dup2(log, 2);
+  dup2(ends.input, 0);
+  dup2(ends.output, 1);
+  dup2(ends.log, 2);
   if (*directory == '\0' || chdir(directory) == 0) execvpe(arguments[0], arguments, environment);
   const int error = errno;
-  if (write(trouble, &error, sizeof error) < 0) _exit(126);
+  if (write(ends.trouble, &error, sizeof error) < 0) _exit(126);
   _exit(127);
 }
 
@@ -86,8 +91,8 @@ ChildProcess::ChildProcess(const ChildCommand& command) : start_(Clock::now()) {
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    become(arguments.data(), environment.data(), command.directory.c_str(), input, log, output.write,
-           trouble.write, parent, command.ends_with_us ? SIGTERM : 0);
+    become(arguments.data(), environment.data(), command.directory.c_str(),
+           {input, output.write, log, trouble.write}, parent, command.ends_with_us ? SIGTERM : 0);
   }
   const int fork_error = errno;
   for (const int file : {input, log, output.write, trouble.write}) ::close(file);
