@@ -30,7 +30,8 @@ TEST_CASE("Breaking: the literature's rule") {
 TEST_CASE("Breaking: the plate's rule has the wedge's table at rest") {
   // breaking length of a truncated wedge of 90 deg over l; the formula is a straight line through the table
   const double table[][2] = {{0.5, 0.32}, {1, 0.40}, {2, 0.50}, {4, 0.60}, {8, 0.71}, {16, 0.82}};
-  for (const auto& row : table) CHECK(plate_rule(row[0], 0.0).radius == Approx(row[1]).epsilon(0.07));
+  constexpr double line = 0.07;  // of the line: 6 % off the table at 0.5 h
+  for (const auto& row : table) CHECK(plate_rule(row[0], 0.0).radius == Approx(row[1]).epsilon(line));
   CHECK(plate_rule(1000.0, 0.0).radius == Approx(1.11).epsilon(1e-3));  // a beam
   for (double width : {0.5, 1.0, 2.0, 4.0, 8.0}) {                      // C 0.65 to 0.9
     CHECK(plate_rule(width, 0.0).load > 0.6);
@@ -40,14 +41,14 @@ TEST_CASE("Breaking: the plate's rule has the wedge's table at rest") {
 
 TEST_CASE("Breaking: a fast edge breaks short and bears more") {
   const double v = inertial_speed(published_ice());
-  CHECK(v == Approx(0.19).epsilon(0.05));
+  CHECK(v == Approx(0.19).epsilon(0.05));  // given to 2 digits
   // wedges of 8 h driven at 2, 4, 6 kn, 0.55, 1.09 and 1.64 m/s: 0.42, 0.28, 0.24 l
-  CHECK(plate_rule(8.0, 0.545).radius == Approx(0.42).epsilon(0.12));
-  CHECK(plate_rule(8.0, 1.09).radius == Approx(0.28).epsilon(0.05));
-  CHECK(plate_rule(8.0, 1.64).radius == Approx(0.24).epsilon(0.08));
+  CHECK(plate_rule(8.0, 0.545).radius == Approx(0.42).epsilon(0.12));  // the fit is 8 % off
+  CHECK(plate_rule(8.0, 1.09).radius == Approx(0.28).epsilon(0.05));   // 2 % off
+  CHECK(plate_rule(8.0, 1.64).radius == Approx(0.24).epsilon(0.08));   // 7 % off
   // of the wedge of 8 h: 1.09 over 0.52; its tip bears 0.21 at any speed
   CHECK((plate_rule(8.0, 1.09).load - 0.6) / (plate_rule(8.0, 0.0).load - 0.6) ==
-        Approx((1.09 - 0.21) / (0.52 - 0.21)).epsilon(0.15));
+        Approx((1.09 - 0.21) / (0.52 - 0.21)).epsilon(0.15));  // the load goes with the length, 10 % off
   CHECK(plate_rule(0.25, 0.01).radius == Approx(plate_rule(0.25, 0.0).radius));
 }
 

@@ -27,8 +27,8 @@ TEST_CASE("Submersion: a ramp takes all ice under the bottom") {
   CHECK(s.potential == Approx(lift(ice) * beam * draught));
   // cos(slope) along the ramp, whose length is draught / sin(slope), and the bottom up to 0.7 of the length
   const double along = draught / std::tan(slope);
-  CHECK(s.friction ==  // one row of 80 at either end of the ramp
-        Approx(0.1 * lift(ice) * beam * (along + 0.7 * length - along)).epsilon(0.03));
+  CHECK(s.friction == Approx(0.1 * lift(ice) * beam * (along + 0.7 * length - along))
+                          .epsilon(0.03));  // one row of 80 at either end of the ramp
   CHECK(s.drag == 0.0);
 }
 
@@ -37,7 +37,8 @@ TEST_CASE("Submersion: the water's drag on a ramp") {
   const Ice ice = published_ice();
   const Submersion s = submersion(plate(beam, slope, draught), ice, V, length);
   const double nx = std::sin(slope), along = std::cos(slope), way = draught / std::sin(slope);
-  CHECK(s.drag == Approx(0.5 * 1000.0 * 1.2 * V * V * nx * nx * nx / along * way * beam).epsilon(0.03));
+  CHECK(s.drag ==
+        Approx(0.5 * 1000.0 * 1.2 * V * V * nx * nx * nx / along * way * beam).epsilon(0.03));  // as above
 }
 
 TEST_CASE("Submersion: upright sides push ice aside, not down") {

@@ -64,7 +64,8 @@ TEST_CASE("Voyage: a wall crushes its way") {
   REQUIRE(r.reason.empty());
   CHECK(r.pieces.empty());
   CHECK(mean_load(r) == Approx(ice.p_c * 10.0 * ice.h).epsilon(2e-3));  // the beam is found by samples
-  CHECK(r.crushed_volume == Approx(10.0 * ice.h * (r.counted_to - r.counted_from)).epsilon(2e-3));
+  CHECK(r.crushed_volume ==
+        Approx(10.0 * ice.h * (r.counted_to - r.counted_from)).epsilon(2e-3));  // whole steps of 0.04 m
   CHECK(r.work.friction == 0.0);
 }
 
@@ -95,8 +96,9 @@ TEST_CASE("Voyage: work is booked once, and released by what breaks") {
   const Work& w = r.work;
   double counted = 0.0;
   for (const Record& record : r.records) counted += record.advance > r.counted_from ? r.step : 0.0;
-  CHECK(w.total == Approx(mean_load(r) * counted).epsilon(1e-9));
-  CHECK(w.crushing + w.bending + w.friction == Approx(w.total).epsilon(1e-9));
+  constexpr double rounding = 1e-9;  // of sums over some thousand steps
+  CHECK(w.total == Approx(mean_load(r) * counted).epsilon(rounding));
+  CHECK(w.crushing + w.bending + w.friction == Approx(w.total).epsilon(rounding));
   CHECK(w.crushing > 0.0);
   CHECK(w.friction > 0.0);
   CHECK(r.elastic_released <= w.bending * 1.02);  // edges that come free without breaking keep none
@@ -155,8 +157,10 @@ TEST_CASE("Voyage: ice pushed up is ice pushed down, turned over") {
       mapped(sharp_stem(8.0, radians(40.0), radians(35.0), 3.0), {1.0, 1.0, -1.0}, {0.0, 0.0, middle});
   const VoyageResult a = sail(down, ice, {}, v), b = sail(up, ice, {}, v);
   REQUIRE(a.pieces.size() > 5);
-  CHECK(mean_load(b) == Approx(mean_load(a)).epsilon(1e-3));
-  CHECK(b.pieces.front().deflection == Approx(-a.pieces.front().deflection).epsilon(1e-6));
+  CHECK(mean_load(b) ==
+        Approx(mean_load(a)).epsilon(1e-3));  // rounding: a break is a step later now and then
+  CHECK(b.pieces.front().deflection ==
+        Approx(-a.pieces.front().deflection).epsilon(1e-6));  // rounding of what was turned over
 }
 
 TEST_CASE("Voyage: a hull that does not meet the ice is told of in one sentence") {
@@ -172,13 +176,14 @@ TEST_CASE("Voyage: a hull that does not meet the ice is told of in one sentence"
 }
 
 TEST_CASE("Voyage: independent of raster and step within 3 %") {
+  constexpr double promised = 0.03;  // in docs/cycle.md
   const double usual = published(published_ice());
   Voyage v;
   v.step_h = 0.02;
-  CHECK(published(published_ice(), {}, v) == Approx(usual).epsilon(0.03));
+  CHECK(published(published_ice(), {}, v) == Approx(usual).epsilon(promised));
   v = {};
   v.raster_h = 1.0 / 12.0;
-  CHECK(published(published_ice(), {}, v) == Approx(usual).epsilon(0.03));
+  CHECK(published(published_ice(), {}, v) == Approx(usual).epsilon(promised));
 }
 
 TEST_CASE("Voyage: check values of the published bow at rest") {
@@ -186,27 +191,30 @@ TEST_CASE("Voyage: check values of the published bow at rest") {
   // and 2 %, and 3 % for its raster and its loads at the end of a step.
   const Ice ice = published_ice();
   const double base = published(ice);
-  CHECK(base == Approx(0.586e6).epsilon(0.08));
+  constexpr double level = 0.08;  // 3 and 2 % of the intervals, 3 % of its raster and steps
+  CHECK(base == Approx(0.586e6).epsilon(level));
   const auto with = [&](double Ice::*field, double value) {
     Ice other = ice;
     other.*field = value;
     return published(other) / base;
   };
-  CHECK(with(&Ice::friction, 0.0) == Approx(0.71).epsilon(0.05));
-  CHECK(with(&Ice::friction, 0.16) == Approx(1.17).epsilon(0.05));
+  constexpr double ratio = 0.05;  // the intervals alone, 3 and 2 %
+  CHECK(with(&Ice::friction, 0.0) == Approx(0.71).epsilon(ratio));
+  CHECK(with(&Ice::friction, 0.16) == Approx(1.17).epsilon(ratio));
   CHECK(with(&Ice::h, 0.75) == Approx(0.69).epsilon(0.06));
   CHECK(with(&Ice::h, 1.5) == Approx(1.55).epsilon(0.10));
   BreakingRule plate_rule;
   plate_rule.type = Breaking::plate;
-  CHECK(published(ice, plate_rule) == Approx(0.325e6).epsilon(0.08));
+  CHECK(published(ice, plate_rule) == Approx(0.325e6).epsilon(level));
 }
 
 TEST_CASE("Voyage: trends want the whole bow") {
   const Ice ice = published_ice();
   const double base = published(ice);
-  CHECK(mean_of_seeds(bow(32.0, 28.0, 33.0), ice, {}, {}, 8) / base == Approx(1.03).epsilon(0.05));
+  constexpr double intervals = 0.05;  // of the two programs, 3 and 2 %
+  CHECK(mean_of_seeds(bow(32.0, 28.0, 33.0), ice, {}, {}, 8) / base == Approx(1.03).epsilon(intervals));
   const double steep = mean_of_seeds(bow(32.0, 36.0, 25.4), ice, {}, {}, 8) / base;
   CHECK(steep > 1.13);
   CHECK(steep < 1.26);
-  CHECK(mean_of_seeds(bow(20.0, 23.2, 38.9), ice, {}, {}, 8) / base == Approx(0.90).epsilon(0.05));
+  CHECK(mean_of_seeds(bow(20.0, 23.2, 38.9), ice, {}, {}, 8) / base == Approx(0.90).epsilon(intervals));
 }

@@ -26,8 +26,8 @@ RiskaResult with(double RiskaInputs::*field, double value) {
 TEST_CASE("Riska: check value") {
   const RiskaResult result = riska_1997(check_case());
   REQUIRE(result.valid);
-  CHECK(result.total == Approx(1153.48e3).epsilon(5e-6));  // given to 6 digits
-  CHECK(result.total == Approx(result.C1 + 2.058 * result.C2).epsilon(1e-14));
+  CHECK(result.total == Approx(1153.48e3).epsilon(5e-6));                       // given to 6 digits
+  CHECK(result.total == Approx(result.C1 + 2.058 * result.C2).epsilon(1e-14));  // rounding of a sum
 }
 
 TEST_CASE("Riska: without speed only C1 is left") {

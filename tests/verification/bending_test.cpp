@@ -64,7 +64,7 @@ TEST_CASE("a clamped plate's rigidity nears E h^3 / (12 (1 - nu^2)) with more la
     INFO(layers << " layers: rigidity " << ratio << ", where the curvature is given " << given
                 << " of theory");
     CHECK(ratio < 1.0);
-    CHECK(ratio == Approx(given).epsilon(0.04));
+    CHECK(ratio == Approx(given).epsilon(0.04));  // where the clamp begins is not exact
     CHECK(error < coarser);
     coarser = error;
   }

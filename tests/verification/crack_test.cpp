@@ -117,7 +117,7 @@ TEST_CASE("the bonds through a plane cost what the critical stretch was made fro
     const double bulk = cost_of_cut(nu, 20, 14, true), bare = cost_of_cut(nu, 20, 14, false);
     INFO("nu " << nu << ": bulk " << bulk / G_c << " of G_c, " << bulk / distortion
                << " of its distortional part; without surface correction " << bare / G_c);
-    CHECK(bulk == Approx(distortion).epsilon(0.02));
+    CHECK(bulk == Approx(distortion).epsilon(0.02));  // a lattice sum for an integral
     CHECK(bare < bulk);
     double thinner = 0.5;  // of G_c: what a thin sheet is short of bonds
     for (int layers = 1; layers <= 5; ++layers) {
@@ -154,7 +154,7 @@ TEST_CASE("a pre-cut double cantilever tears at the load whose energy release ra
     INFO("nu " << nu << ": first bond at " << first / G_c << " of G_c; over the next spacing mean "
                << mean / G_c << ", highest " << highest / G_c);
     CHECK(first < G_c);
-    CHECK(mean == Approx(G_c).epsilon(0.15));
+    CHECK(mean == Approx(G_c).epsilon(0.15));  // bonds hold a front at whole spacings
     // Bonds hold the front at whole spacings: more than G_c is wanted to move on.
     CHECK(highest > mean);
     CHECK(highest < 1.35 * G_c);

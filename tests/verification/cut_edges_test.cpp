@@ -38,7 +38,7 @@ TEST_CASE("each cut edge of a beam costs some half a spacing of its width, whate
     const Loss loss = loss_by_cutting(layers, columns);
     INFO(layers << " layers, " << columns << " columns: an edge costs " << loss.modulus
                 << " spacings of the stiffness, " << loss.strength << " of the strength");
-    CHECK(loss.modulus == Approx(0.48).margin(0.03));
-    CHECK(loss.strength == Approx(0.41).margin(0.05));
+    CHECK(loss.modulus == Approx(0.48).margin(0.03));   // as found: 0.467 to 0.491
+    CHECK(loss.strength == Approx(0.41).margin(0.05));  // as found: 0.384 to 0.419
   }
 }

@@ -29,7 +29,7 @@ TEST_CASE("without water an in-situ beam is as strong as one with such sides tha
     const double strength = found.flexural_strength / held.flexural_strength;
     INFO(layers << " layers, in situ over held at the root: strength " << strength << ", modulus "
                 << found.elastic_modulus / held.elastic_modulus);
-    CHECK(strength == Approx(1.0).epsilon(0.07));
+    CHECK(strength == Approx(1.0).epsilon(0.07));               // the root's corners, blunt by a horizon
     CHECK(found.elastic_modulus < 0.9 * held.elastic_modulus);  // the root gives way
   }
 }
@@ -86,7 +86,7 @@ TEST_CASE("half a beam with a plane of symmetry tears as the whole does") {
     for (int n = 0; n < 3; ++n) load[half] = tear(beam, any).load;
     bonds[half] = beam.ice.sheet.bonds();
   }
-  CHECK(load[true] == Approx(load[false]).epsilon(1e-3));
+  CHECK(load[true] == Approx(load[false]).epsilon(1e-3));  // bonds that break together
   CHECK(bonds[true] == bonds[false]);
 }
 

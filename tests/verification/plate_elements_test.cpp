@@ -64,9 +64,10 @@ TEST_CASE("plate elements: a strip afloat bends as the half-endless beam on spri
   INFO("deflection " << -u[0] * lambda * law.foundation * b / 2.0 << ", stress "
                      << found.stress * b * law.h * law.h / (6.0 * moment) << ", place "
                      << found.at / (0.25 * pi * lambda) << " of the beam's");
-  CHECK(-u[0] == Approx(2.0 / (lambda * law.foundation * b)).epsilon(0.01));
-  CHECK(found.stress == Approx(6.0 * moment / (b * law.h * law.h)).epsilon(0.01));
-  CHECK(found.at == Approx(0.25 * pi * lambda).epsilon(0.03));  // lines are 0.02 l apart
+  CHECK(-u[0] ==
+        Approx(2.0 / (lambda * law.foundation * b)).epsilon(0.01));  // the load's middle is at 0.005 l
+  CHECK(found.stress == Approx(6.0 * moment / (b * law.h * law.h)).epsilon(0.01));  // likewise: 0.7 %
+  CHECK(found.at == Approx(0.25 * pi * lambda).epsilon(0.03));                      // lines are 0.02 l apart
 }
 
 TEST_CASE("plate elements: a pressed corner and a pressed edge bend as Westergaard says") {
@@ -81,7 +82,7 @@ TEST_CASE("plate elements: a pressed corner and a pressed edge bend as Westergaa
     const double stress = 3.0 / (law.h * law.h) * (1.0 - std::pow(a1 / l, 0.6)), at = 2.0 * std::sqrt(a1 * l);
     INFO("corner, radius " << over_h << " h: stress " << found.stress / stress << ", place "
                            << found.at * std::sqrt(2.0) / at << " of Westergaard's");
-    CHECK(found.stress == Approx(stress).epsilon(0.10));
+    CHECK(found.stress == Approx(stress).epsilon(0.10));           // the formula is a fit
     CHECK(found.at * std::sqrt(2.0) == Approx(at).epsilon(0.15));  // the top is flat
   }
   const std::vector<double> x = graded_lines(0.125 * law.h, l, 6.0 * l);
@@ -105,5 +106,6 @@ TEST_CASE("plate elements: halved, they say the same of a pressed edge") {
   }
   INFO("stress " << found[0].stress / found[1].stress << ", place " << found[0].at / found[1].at);
   CHECK(found[0].stress == Approx(found[1].stress).epsilon(0.01));
-  CHECK(found[0].at == Approx(found[1].at).margin(0.5 * h));
+  CHECK(found[0].at ==
+        Approx(found[1].at).margin(0.5 * h));  // the lines of the coarser plate are 0.5 h apart
 }

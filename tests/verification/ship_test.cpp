@@ -91,7 +91,7 @@ TEST_CASE(
   const double whole = 2.0 * bar.mass() * bar.s.V;
   INFO("force " << force << " N, rho c A V " << theory << " N; impulse " << total << " N s, 2 m V " << whole
                 << " N s");
-  CHECK(force == Approx(theory).epsilon(0.06));
+  CHECK(force == Approx(theory).epsilon(0.06));  // corrected edges are too stiff, as in a bar that rings
   CHECK(total == Approx(whole).epsilon(0.06));
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a bar held at its far end resists a wall with E A / L times the way i
   INFO("force over indentation " << slope << " N/m; E A / L " << theory << " N/m; the bar at rest " << own
                                  << " N/m");
   CHECK(slope == Approx(own).epsilon(0.03));
-  CHECK(slope == Approx(theory).epsilon(0.1));
+  CHECK(slope == Approx(theory).epsilon(0.1));  // likewise
 }
 
 namespace {

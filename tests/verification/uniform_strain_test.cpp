@@ -132,12 +132,14 @@ TEST_CASE("uniformly strained bulk has the stress and energy of Hooke's law") {
                << drawn.stress.x() / (E * e) << " (stress), shear " << sheared.energy / (0.5 * mu * e * e)
                << ", uniaxial " << uniaxial.energy / (0.5 * M * e * e) << " of theory");
     // The correction makes the strain along one axis exact; shear has what the lattice's directions give it.
-    CHECK(uniaxial.energy == Approx(0.5 * M * e * e).epsilon(1e-3));
-    CHECK(uniaxial.stress.x() == Approx(M * e).epsilon(1e-3));
-    CHECK(drawn.energy == Approx(0.5 * E * e * e).epsilon(0.05));
-    CHECK(drawn.stress.x() == Approx(E * e).epsilon(0.04));
-    CHECK(sheared.energy == Approx(0.5 * mu * e * e).epsilon(0.11));
-    CHECK(sheared.stress.y() == Approx(mu * e).epsilon(0.11));
+    constexpr double exact = 1e-3;       // the correction is made for it
+    constexpr double directions = 0.11;  // of a horizon of 3 dx: 10 % in shear along the axes
+    CHECK(uniaxial.energy == Approx(0.5 * M * e * e).epsilon(exact));
+    CHECK(uniaxial.stress.x() == Approx(M * e).epsilon(exact));
+    CHECK(drawn.energy == Approx(0.5 * E * e * e).epsilon(0.05));  // likewise: 4 %
+    CHECK(drawn.stress.x() == Approx(E * e).epsilon(0.04));        // likewise: 2.5 %
+    CHECK(sheared.energy == Approx(0.5 * mu * e * e).epsilon(directions));
+    CHECK(sheared.stress.y() == Approx(mu * e).epsilon(directions));
   }
 }
 
@@ -151,11 +153,12 @@ TEST_CASE("a strained sheet nears the stress and energy of plane stress as it ge
                  << " (energy) " << drawn.stress.x() / (E * e) << " (stress), shear "
                  << sheared.energy / (0.5 * mu * e * e) << " of theory");
       // Without bonds across it, a single layer does not feel that it gets thinner.
-      const double allowed = layers == 1 ? 0.25 : layers == 2 ? 0.19 : 0.12;
+      const double allowed = layers == 1 ? 0.25 : layers == 2 ? 0.19 : 0.12;  // two feel it little
       CHECK(drawn.energy == Approx(0.5 * E * e * e).epsilon(allowed));
       CHECK(drawn.stress.x() == Approx(E * e).epsilon(allowed));
-      CHECK(sheared.energy == Approx(0.5 * mu * e * e).epsilon(0.15));
-      CHECK(sheared.stress.y() == Approx(mu * e).epsilon(0.15));
+      constexpr double in_shear = 0.15;  // the lattice's directions, 10 %, and the surfaces
+      CHECK(sheared.energy == Approx(0.5 * mu * e * e).epsilon(in_shear));
+      CHECK(sheared.stress.y() == Approx(mu * e).epsilon(in_shear));
     }
   }
 }
@@ -165,8 +168,9 @@ TEST_CASE("a strip drawn out by its ends stretches by E and narrows by nu; its e
     for (int layers = 1; layers <= 5; ++layers) {
       const Elasticity found = drawn_out({layers, nu, true});
       INFO("nu " << nu << ", " << layers << " layers: E " << found.E / E << " of the given, nu " << found.nu);
-      CHECK(found.E == Approx(E).epsilon(layers < 3 ? 0.15 : 0.065));
-      CHECK(found.nu == Approx(nu).margin(layers < 3 ? 0.17 : 0.06));
+      CHECK(found.E ==
+            Approx(E).epsilon(layers < 3 ? 0.15 : 0.065));  // few layers hardly feel their thinning
+      CHECK(found.nu == Approx(nu).margin(layers < 3 ? 0.17 : 0.06));  // likewise
       CHECK(found.energy_over_work == Approx(1.0).epsilon(1e-4));
     }
   }
@@ -178,8 +182,8 @@ TEST_CASE("without surface correction ice is too soft, a thin sheet as much as i
   const double bulk_drawn = bulk(whole, tension(nu)).energy, bulk_sheared = bulk(whole, shear()).energy;
   INFO("bulk: tension energy " << bulk_drawn / (0.5 * E * e * e) << ", shear energy "
                                << bulk_sheared / (0.5 * mu * e * e) << " of theory");
-  CHECK(bulk_drawn == Approx(0.5 * E * e * e).epsilon(0.2));  // whole families on a lattice
-  CHECK(bulk_sheared == Approx(0.5 * mu * e * e).epsilon(0.1));
+  CHECK(bulk_drawn == Approx(0.5 * E * e * e).epsilon(0.2));     // whole families on a lattice
+  CHECK(bulk_sheared == Approx(0.5 * mu * e * e).epsilon(0.1));  // likewise
   double thinner = 0.0;
   for (int layers = 1; layers <= 5; ++layers) {
     const Ice ice{layers, nu, false};

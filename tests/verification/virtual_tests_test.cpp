@@ -49,7 +49,7 @@ TEST_CASE("a virtual beam breaks near the stress at which its surface reaches th
     const double surface = beam.elastic_modulus * s.ice.s0 * layers / (layers - 1.0);
     INFO(layers << " layers: strength " << beam.flexural_strength << " Pa, beam theory " << surface << " Pa, "
                 << beam.breaks << " breaks");
-    CHECK(beam.flexural_strength == Approx(surface).epsilon(0.25));
+    CHECK(beam.flexural_strength == Approx(surface).epsilon(0.25));  // the corner of the clamp
   }
 }
 
@@ -60,9 +60,10 @@ TEST_CASE("what the tests measure is in proportion to E, strengths to E s0, at a
   const double E = large.ice.E / small.ice.E, stress = E * large.ice.s0 / small.ice.s0;
   const BeamTest a = virtual_beam_test(small), b = virtual_beam_test(large);
   CHECK(b.elastic_modulus == Approx(E * a.elastic_modulus).epsilon(1e-4));
-  CHECK(b.flexural_strength == Approx(stress * a.flexural_strength).epsilon(1e-3));
+  constexpr double together = 1e-3;  // bonds within it of the weakest one break together
+  CHECK(b.flexural_strength == Approx(stress * a.flexural_strength).epsilon(together));
   CHECK(virtual_compression_test(large).compressive_strength ==
-        Approx(stress * virtual_compression_test(small).compressive_strength).epsilon(1e-3));
+        Approx(stress * virtual_compression_test(small).compressive_strength).epsilon(together));
 }
 
 TEST_CASE(

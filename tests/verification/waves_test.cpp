@@ -57,7 +57,8 @@ TEST_CASE("long P and S waves travel with sqrt((kappa + 4/3 mu)/rho) and sqrt(mu
     }
     INFO(c.name << ", longest wave: " << shorter << " of theory");
     CHECK(shorter == Approx(1.0).epsilon(0.055));  // the lattice has directions: horizon of 3 dx
-    if (c.wave == Wave::P && c.along == axis) CHECK(shorter == Approx(1.0).epsilon(0.002));
+    if (c.wave == Wave::P && c.along == axis)
+      CHECK(shorter == Approx(1.0).epsilon(0.002));  // the correction is made for it
   }
 }
 
@@ -89,7 +90,7 @@ TEST_CASE("a free bar rings along its length with the period 2 L / sqrt(E/rho)")
   Motion(ice, s, 0.0).run(0.1, [&](double t) { return crossings.add(t, ice.sheet.u[0][end]); });
   const double theory = 2.0 * L / std::sqrt(s.ice.E / s.ice.rho);
   INFO("period " << crossings.period() << " s, theory " << theory << " s");
-  CHECK(crossings.period() == Approx(theory).epsilon(0.06));
+  CHECK(crossings.period() == Approx(theory).epsilon(0.06));  // the corrected edges are too stiff
 }
 
 TEST_CASE("a free strip rings in its first bending mode as the beam of its own modulus") {
@@ -125,5 +126,5 @@ TEST_CASE("a free strip rings in its first bending mode as the beam of its own m
   const double modulus = beam_modulus(layers, ny, true);
   INFO("period " << crossings.period() << " s; theory " << period(s.ice.E) << " s with E, " << period(modulus)
                  << " s with the modulus of the beam at rest");
-  CHECK(crossings.period() == Approx(period(modulus)).epsilon(0.02));
+  CHECK(crossings.period() == Approx(period(modulus)).epsilon(0.02));  // two ways to the same modulus
 }

@@ -69,7 +69,7 @@ TEST_CASE("a wall's force ripples least where it rises over three quarters of a 
     for (double slope = 20.0; slope <= 90.0; slope += 1.0) {
       const Ripple found = ripple(slope, ramps[n]);
       // Every depth of a particle is met alike as the wall goes on by a spacing; 64 places of it.
-      CHECK(found.mean == Approx(1.0).epsilon(0.002));
+      CHECK(found.mean == Approx(1.0).epsilon(0.002));  // 64 places stand for all depths
       worst[n] = std::max(worst[n], found.deviation);
     }
     INFO("ramp " << ramps[n] << " of a spacing: ripple " << worst[n]);
@@ -136,8 +136,8 @@ TEST_CASE("crushing: rows of ice one behind the other bear the crushing pressure
   const CrushingLaw law = crushing_law();
   CHECK(law.bearable(0.0) == 0.0);
   for (double depth = spacing; depth < 2.0 * spacing; depth += 0.01 * spacing)
-    // by arithmetic
-    CHECK(law.bearable(depth) + law.bearable(depth - spacing) == Approx(strength).epsilon(1e-12));
+    CHECK(law.bearable(depth) + law.bearable(depth - spacing) ==
+          Approx(strength).epsilon(1e-12));  // rounding
 }
 
 TEST_CASE("crushing: pushing the hull through a particle costs the crushing pressure times its volume") {
@@ -198,5 +198,5 @@ TEST_CASE("sums of impulses do not depend on their order") {
   CHECK(forward.counts() == backward.counts());
   double expected = 0.0;
   for (int n = 0; n < 1000; ++n) expected += 1e-4 / (n + 1);
-  CHECK(forward.counts()[0] * forward.linear() == Approx(expected).epsilon(1e-9));
+  CHECK(forward.counts()[0] * forward.linear() == Approx(expected).epsilon(1e-9));  // counted in whole quanta
 }

@@ -94,7 +94,7 @@ TEST_CASE("the elastic energy's slope is the force law: dE = -m a . du") {
   double work = 0.0;
   std::size_t n = 0;
   ice.for_each([&](int, int, int, std::size_t p) { work -= mass * ice.acceleration(p).dot(field[n++]); });
-  CHECK(slope == Approx(work).epsilon(1e-4));
+  CHECK(slope == Approx(work).epsilon(1e-4));  // the ice is in single precision
 }
 
 TEST_CASE("a uniformly stretched block stores half E strain squared a volume") {
@@ -104,7 +104,7 @@ TEST_CASE("a uniformly stretched block stores half E strain squared a volume") {
   ice.displace([&](const Vec3& x) -> Vec3 { return strain * Vec3(x.x(), -nu * x.y(), -nu * x.z()); });
   const double volume = double(ice.lattice.particles()) * ice.lattice.particle_volume();
   CHECK(Motion(ice, s, 0.8).energy().elastic ==
-        Approx(0.5 * s.ice.E * strain * strain * volume).epsilon(0.05));
+        Approx(0.5 * s.ice.E * strain * strain * volume).epsilon(0.05));  // the block's edges
 }
 
 TEST_CASE("a free vibrating block keeps its energy") {

@@ -97,7 +97,7 @@ TEST_CASE("the window's load is that of a long sheet") {
   const RunResult sheet = simulate(Communicator::serial(), tiny_hull(), s, {});
   REQUIRE(window.status == RunStatus::ok);
   REQUIRE(sheet.status == RunStatus::ok);
-  const double decay = std::exp(-1.1 / (std::sqrt(2.0) * 0.42));
+  const double decay = std::exp(-1.1 / (std::sqrt(2.0) * 0.42));  // from the far end to the stem
   const double before = mean_resistance(sheet, 0.0, 0.5), after = mean_resistance(sheet, 0.5, 0.9);
   CHECK(mean_resistance(window, 0.0, 0.5) == Approx(before).epsilon(decay));
   CHECK(mean_resistance(window, 0.5, 0.9) == Approx(after).epsilon(decay));

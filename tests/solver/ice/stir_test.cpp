@@ -63,7 +63,7 @@ TEST_CASE("stirred ice has small random velocities, the held edge and unseeded i
       }
   // Uniform: mean 0, mean square 1/3, no correlation between seeds; four standard errors.
   CHECK(std::abs(sum / n) < 4.0 * std::sqrt(1.0 / 3.0 / n));
-  CHECK(square / n == Approx(1.0 / 3.0).margin(4.0 * std::sqrt(4.0 / 45.0 / n)));
+  CHECK(square / n == Approx(1.0 / 3.0).margin(4.0 * std::sqrt(4.0 / 45.0 / n)));  // four standard errors
   CHECK(std::abs(product / n) < 4.0 / 3.0 / std::sqrt(double(n)));
 }
 

@@ -100,7 +100,7 @@ TEST_CASE("uniaxial strain of a thick block carries the continuum's stress") {
   });
   const double area = n * n * b.lattice.dx * b.lattice.dx;
   const double stress = strain * (b.material.kappa + 4.0 * b.material.mu / 3.0);
-  CHECK(-force / area == Approx(stress).epsilon(0.03));
+  CHECK(-force / area == Approx(stress).epsilon(0.03));  // the block's own faces
 }
 
 TEST_CASE("bond forces cancel: no net force, no net moment") {

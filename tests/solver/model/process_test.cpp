@@ -69,7 +69,7 @@ TEST_CASE("floes have the area, sides and thickness of their reference places") 
   CHECK(ice.floes[0].width == Approx(0.4));
   CHECK(ice.floes[0].through == Approx(1.0));
   CHECK(ice.floes[0].x == Approx(2.0));
-  CHECK(ice.floes[0].y == Approx(0.0).margin(1e-12));
+  CHECK(ice.floes[0].y == Approx(0.0).margin(1e-12));  // m: rounding
   CHECK(ice.floes[1].through == Approx(2.0 / 3.0));
   CHECK(ice.floes[1].area == Approx(0.8 * 0.4 * 2.0 / 3.0));
   const double dust = 2 * 4 * 3 * 1e-3;

@@ -99,7 +99,7 @@ TEST_CASE("a floe with added mass heaves in its period") {
   for (const double depth : {0.0, 0.05, 0.2}) {
     s.water.added_mass = depth;
     const double expected = half_period_of(s, s.water.rho * depth);
-    CHECK(half_period(s, expected) == Approx(expected).epsilon(0.01));
+    CHECK(half_period(s, expected) == Approx(expected).epsilon(0.01));  // found to a step
   }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a floe in a lid heaves in the period of a square piston") {
   const double root = std::sqrt(2.0), side = 0.2;
   const double mean = 4.0 * (std::log(1.0 + root) + (1.0 - root) / 3.0) * side / (2.0 * M_PI);
   const double expected = half_period_of(s, s.water.rho * mean);
-  CHECK(half_period(s, expected) == Approx(expected).epsilon(0.01));
+  CHECK(half_period(s, expected) == Approx(expected).epsilon(0.01));  // 5 x 5 cells for the square
   // One that has been taken out of the plane has its layer's.
   s.water.added_mass = 0.05;
   Afloat below(s, step_s);
@@ -120,7 +120,7 @@ TEST_CASE("a floe in a lid heaves in the period of a square piston") {
   below.accelerate();
   const double M = s.ice.rho * s.ice.h, lift = (s.water.rho - s.ice.rho) * gravity * s.ice.h;
   const double a = below.mean(below.ice.sheet.acceleration, 2) + lift / M;
-  CHECK(a == Approx(lift / (M + s.water.rho * 0.05)).epsilon(1e-3));
+  CHECK(a == Approx(lift / (M + s.water.rho * 0.05)).epsilon(1e-3));  // single precision
 }
 
 // Lift goes by each particle's height as if its cube were upright: a floe's is right however it lies.
@@ -166,7 +166,7 @@ TEST_CASE("a floe let go under water rises at the speed that its drag allows") {
   floe.accelerate();
   while (floe.mean(floe.ice.sheet.u, 2) < -0.2) floe.step();
   const double v = std::sqrt(2.0 * (s.water.rho - s.ice.rho) * gravity * s.ice.h / (s.water.rho * 1.2));
-  CHECK(floe.mean(floe.ice.sheet.v, 2) == Approx(v).epsilon(0.01));
+  CHECK(floe.mean(floe.ice.sheet.v, 2) == Approx(v).epsilon(0.01));  // approached, not reached
 }
 
 TEST_CASE("water goes with ice across its plane, whichever way that has turned, and not along it") {
@@ -184,10 +184,11 @@ TEST_CASE("water goes with ice across its plane, whichever way that has turned, 
     for (int c = 0; c < 3; ++c) floe.ice.sheet.acceleration[c][p] = pull[c];
   });
   floe.forces.apply(floe.ice.sheet, 1, {});
+  constexpr double single = 1e-4;  // accelerations in single precision
   const double M = s.ice.rho * s.ice.h, with = M / (M + s.water.rho * s.water.added_mass);
-  CHECK(floe.mean(floe.ice.sheet.acceleration, 0) == Approx(with * pull.x()).epsilon(1e-4));
-  CHECK(floe.mean(floe.ice.sheet.acceleration, 1) == Approx(pull.y()).epsilon(1e-4));
-  CHECK(floe.mean(floe.ice.sheet.acceleration, 2) == Approx(pull.z()).epsilon(1e-4));
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 0) == Approx(with * pull.x()).epsilon(single));
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 1) == Approx(pull.y()).epsilon(single));
+  CHECK(floe.mean(floe.ice.sheet.acceleration, 2) == Approx(pull.z()).epsilon(single));
 }
 
 namespace {
@@ -257,13 +258,15 @@ TEST_CASE("floes that meet stop each other and give nothing away but their motio
     nearest = std::min(nearest, right - left);
   }
   const auto [p1, e1] = momentum_and_energy();
-  CHECK(p1 == Approx(p0).margin(1e-6 * mass * speed * double(floes.ice.lattice.particles())));
+  CHECK(p1 ==
+        Approx(p0).margin(1e-6 * mass * speed *
+                          double(floes.ice.lattice.particles())));  // single precision, at each particle
   CHECK(nearest > 0.9 * s.numerics.dx);  // they met and did not pass through each other
   CHECK(nearest < s.numerics.dx);
   CHECK(e1 < 0.3 * e0);
   // What the contact took is what they lost, but for what still rings in their bonds.
   const double taken = double(floes.forces.counts().floes) * floes.model.quantum;
-  CHECK(taken == Approx(e0 - e1).epsilon(0.15));
+  CHECK(taken == Approx(e0 - e1).epsilon(0.15));  // bonds ring
 }
 
 // Two floes that overlap by a tenth of a spacing, the facing column of one just moved by the hull.
@@ -289,7 +292,8 @@ TEST_CASE("moving ice against other ice is the hull's work, and taken from the i
   const auto [moved, work] = taken(strikes);
   const double force = 0.01 * s.ice.E * s.numerics.dx * 0.1 * s.numerics.dx;
   CHECK(nothing == 0.0);
-  CHECK(work * floes.model.quantum == Approx(double(strikes.size()) * force * push.x()).epsilon(1e-4));
+  CHECK(work * floes.model.quantum ==
+        Approx(double(strikes.size()) * force * push.x()).epsilon(1e-4));  // single precision
   CHECK(moved - unmoved == work);
 }
 
@@ -335,9 +339,10 @@ TEST_CASE(
   CHECK(fast.left.x() == Approx(smooth.left.x()).epsilon(1e-4));       // single precision
   CHECK(fast.left.y() == Approx(-0.3 * fast.left.x()).epsilon(1e-3));  // dragged along
   CHECK((fast.left + fast.right).norm() < 1e-3 * fast.left.norm());
-  CHECK(slide(0.3, 0.4).left.y() == Approx(fast.left.y()).epsilon(1e-3));
+  CHECK(slide(0.3, 0.4).left.y() == Approx(fast.left.y()).epsilon(1e-3));  // likewise
   // Friction takes its force times the way; within the step it slows what it holds by some per cent.
-  CHECK(fast.taken - smooth.taken == Approx(fast.left.y() * 0.2 * step_s).epsilon(0.1));
+  CHECK(fast.taken - smooth.taken ==
+        Approx(fast.left.y() * 0.2 * step_s).epsilon(0.1));  // slowed within the step
   // So slow that they creep: in proportion to the speed.
   const double creep = slide(0.3, 1e-3).left.y();
   CHECK(creep > 0.0);

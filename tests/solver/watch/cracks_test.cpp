@@ -60,7 +60,7 @@ TEST_CASE("a crack along the ray from the hull is radial, one across it circumfe
   CHECK(first.x == Approx(0.25));
   CHECK(std::abs(first.y) == Approx(0.05));
   CHECK(first.length == Approx(1.2).epsilon(0.02));
-  CHECK(first.direction == Approx(0.0).margin(1e-9));
+  CHECK(first.direction == Approx(0.0).margin(1e-9));  // rounding
   CHECK(second.kind == CrackKind::circumferential);
   CHECK(second.x == Approx(2.05));  // its column nearest to the hull, which has come 1 m
   CHECK(second.length == Approx(1.6).epsilon(0.02));

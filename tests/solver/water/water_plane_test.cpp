@@ -37,8 +37,9 @@ TEST_CASE("a disc in a lid has its exact added mass") {
   const std::vector<double> force = force_of(plane, up);
   double on_disc = 0.0;
   for (std::size_t c = 0; c < up.size(); ++c) on_disc += up[c] * force[c];
-  CHECK(area == Approx(M_PI * a * a).epsilon(0.01));
-  CHECK(on_disc == Approx(8.0 / 3.0 * rho_w * std::pow(std::sqrt(area / M_PI), 3)).epsilon(0.01));
+  CHECK(area == Approx(M_PI * a * a).epsilon(0.01));  // squares make the edge of the disc
+  CHECK(on_disc ==
+        Approx(8.0 / 3.0 * rho_w * std::pow(std::sqrt(area / M_PI), 3)).epsilon(0.01));  // likewise
 }
 
 // Of a plane that bends in waves the water's mass is rho / k.
@@ -53,7 +54,8 @@ TEST_CASE("a wave carries the water of its wave number") {
       for (int j = 0; j < n; ++j) up[i * n + j] = std::cos(k * cell * (i - n / 2));
     const double here = force_of(plane, up)[n / 2 * n + n / 2];
     // A cell is flat: over the cell its pressure is that of steps, not of a cosine.
-    CHECK(here / (cell * cell) == Approx(rho_w / k).epsilon(cells > 6 ? 0.03 : 0.06));
+    CHECK(here / (cell * cell) ==
+          Approx(rho_w / k).epsilon(cells > 6 ? 0.03 : 0.06));  // flat cells; the plane ends
   }
 }
 
