@@ -32,7 +32,8 @@ TEST_CASE("damaged bows are mended right, or refused") {
       const BowAngles& own = hull.measured.spread;
       const double spread = degrees(std::max({own.stem, own.waterline, own.buttock, own.flare}));
       const bool warned = !hull.repairs.warnings.empty();  // of a wrap, whose edges are rounded
-      CHECK(displaced_volume(hull.mesh, 0.0) == Approx(displaced_volume(sound, 0.0)).epsilon(5e-3));
+      CHECK(displaced_volume(hull.mesh, 0.0) ==
+            Approx(displaced_volume(sound, 0.0)).epsilon(5e-3));  // the bound of a right value
       CHECK((warned || degrees(largest_difference(hull.measured.angles, bow.angles)) < 0.5 + spread));
       CHECK((!in_words(hull.repairs).empty() || bad.damage == "all triangles"));
     } catch (const InputError& error) {

@@ -75,12 +75,13 @@ std::string told(const ImportedHull& hull) {
 void check_base(const ImportedHull& hull, double volume = base_volume) {
   INFO(told(hull));
   const BowAngles& a = hull.measured.angles;
-  // Planes: nothing but rounding of the file and of what was moved to mend it.
-  CHECK(degrees(a.stem) == Approx(26.565).margin(0.01));
-  CHECK(degrees(a.waterline) == Approx(21.801).margin(0.01));
-  CHECK(degrees(a.buttock) == Approx(26.565).margin(0.01));
-  CHECK(degrees(a.flare) == Approx(38.660).margin(0.01));
-  CHECK(displaced_volume(hull.mesh, 0.0) == Approx(volume).epsilon(1e-3));
+  constexpr double moved = 0.01;  // deg: planes, but for digits of the file and what was moved to mend it
+  CHECK(degrees(a.stem) == Approx(26.565).margin(moved));
+  CHECK(degrees(a.waterline) == Approx(21.801).margin(moved));
+  CHECK(degrees(a.buttock) == Approx(26.565).margin(moved));
+  CHECK(degrees(a.flare) == Approx(38.660).margin(moved));
+  CHECK(displaced_volume(hull.mesh, 0.0) ==
+        Approx(volume).epsilon(1e-3));  // a half hull may be 2 mm off its centre plane
   CHECK(check_mesh(hull.mesh).ok());
 }
 
@@ -89,14 +90,15 @@ void check_base(const ImportedHull& hull, double volume = base_volume) {
 TEST_CASE("a plane panel gives its plane") {
   const ImportedHull hull = imported(base);
   check_base(hull);
-  CHECK(degrees(hull.measured.waterline_at_quarter_beam) == Approx(21.801).margin(0.001));
+  constexpr double digits = 0.001;  // deg: angles are given to 3 decimals
+  CHECK(degrees(hull.measured.waterline_at_quarter_beam) == Approx(21.801).margin(digits));
   CHECK(hull.measured.stem_radius == 0.0);
   for (const double z : {0.0, -2.0}) {
     const WaterlineAngles line = angles_along_waterline(hull.mesh, z);
     REQUIRE(line.stations.size() == station_shares().size());
     for (const StationAngles& s : line.stations) {
-      CHECK(degrees(s.flare) == Approx(38.660).margin(0.001));
-      CHECK(degrees(s.waterline) == Approx(21.801).margin(0.001));
+      CHECK(degrees(s.flare) == Approx(38.660).margin(digits));
+      CHECK(degrees(s.waterline) == Approx(21.801).margin(digits));
       CHECK(degrees(s.normal_flare) == Approx(36.60).margin(0.01));  // atan(tan 38.660 cos 21.801)
       CHECK(degrees(s.plate_slope) == Approx(90.0 - degrees(s.normal_flare)));
     }
@@ -171,7 +173,7 @@ TEST_CASE("warped panels with two equal diagonals are cut alike on both sides") 
       "6 5\nf 3 4 8 7\n"
       "f 1 4 3 2\nf 5 6 7 8\n",
       mirror);
-  CHECK(hydrostatics(hull.mesh, {}, 1025.0).buoyancy.y() == Approx(0.0).margin(1e-9));
+  CHECK(hydrostatics(hull.mesh, {}, 1025.0).buoyancy.y() == Approx(0.0).margin(1e-9));  // m: rounding
 }
 
 TEST_CASE("surfaces inside, overlapping or touching are resolved and named") {
@@ -208,7 +210,7 @@ TEST_CASE("vertical is a flare of 0; angles no icebreaker has are marked") {
   std::string f;
   const std::string v = box(1, {-80, -8, -5}, {0, 8, 5}, f);
   const ImportedHull vertical = imported(v + f);
-  CHECK(degrees(vertical.measured.angles.flare) == Approx(0.0).margin(1e-9));
+  CHECK(degrees(vertical.measured.angles.flare) == Approx(0.0).margin(1e-9));  // rounding
   CHECK(degrees(vertical.measured.angles.stem) == Approx(90.0));
   const ImportedHull home = imported(
       "v -10 0 -5\nv -30 10 -5\nv -30 -10 -5\nv -80 10 -5\nv -80 -10 -5\nv -20 0 5\nv -36 8 5\nv -36 -8 5\nv "
@@ -267,9 +269,9 @@ TEST_CASE("the entrance is read outside the stem bar, whose radius is told") {
       mirror.mirror = true;
       const ImportedHull hull = imported(v + f, mirror);
       INFO(r << " " << around);
-      // The bound for the entrance; the radius is that of the circle up to the chords' sagitta.
-      CHECK(degrees(hull.measured.angles.waterline) == Approx(degrees(alpha)).margin(0.3));
-      CHECK(hull.measured.stem_radius == Approx(r).epsilon(0.05));
+      CHECK(degrees(hull.measured.angles.waterline) ==
+            Approx(degrees(alpha)).margin(0.3));                    // deg: the bound asked for
+      CHECK(hull.measured.stem_radius == Approx(r).epsilon(0.05));  // the chords' sagitta
     }
 }
 
@@ -278,11 +280,11 @@ TEST_CASE("offsets written and read back are the same hull") {
   const ImportedHull hull = imported(base);
   std::ofstream(scratch.path() + "/hull.csv") << offsets_csv(offsets_of(hull.mesh));
   const ImportedHull back = import_hull(scratch.path() + "/hull.csv", {});
-  // A table's straight lines between waterlines are the hull's own here, but for a ten-thousandth of depth at
-  // the ends.
-  CHECK(displaced_volume(back.mesh, 0.0) == Approx(base_volume).epsilon(2e-3));
-  CHECK(degrees(back.measured.angles.stem) == Approx(26.565).margin(0.2));
-  CHECK(degrees(back.measured.angles.flare) == Approx(38.660).margin(0.2));
+  // A table's straight lines between waterlines are the hull's own here.
+  constexpr double at_ends = 0.2;  // deg: but for a ten-thousandth of depth at the ends
+  CHECK(displaced_volume(back.mesh, 0.0) == Approx(base_volume).epsilon(2e-3));  // likewise
+  CHECK(degrees(back.measured.angles.stem) == Approx(26.565).margin(at_ends));
+  CHECK(degrees(back.measured.angles.flare) == Approx(38.660).margin(at_ends));
   std::ofstream(scratch.path() + "/bad.csv") << "x_m,-5,0\n0,1,x\n";
   CHECK_THROWS_WITH(import_hull(scratch.path() + "/bad.csv", {}), Catch::Contains("bad.csv, line 2"));
 }

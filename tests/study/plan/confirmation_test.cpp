@@ -74,7 +74,7 @@ TEST_CASE("a slope is taken where designs left out are met better by it, and onl
   }
   const RatioFit with = fit_ratio(sloping), without = fit_ratio(level);
   CHECK(with.variable == "/bow/stem_deg");
-  CHECK(with.slope == Approx(0.05).epsilon(0.1));
+  CHECK(with.slope == Approx(0.05).epsilon(0.1));  // noise of 1 %: the standard error is 2.4 %
   CHECK(with.error < 0.3 * with.error_of_constant);
   CHECK(without.variable.empty());
 }
