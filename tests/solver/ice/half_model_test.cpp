@@ -54,7 +54,9 @@ Scenario tiny(double length = 1.0, double advance = 0.12) {
 
 // `rounding`: relative, of sums whose terms are the same but for their order.
 void check_alike(const HistoryRow& half, const HistoryRow& whole, double rounding) {
-  const auto near = [rounding](double value, double scale) { return Approx(value).margin(rounding * scale); };
+  const auto near = [rounding](double value, double scale) {
+    return Approx(value).margin(rounding * scale);  // sums in another order
+  };
   const double F = std::abs(whole.F[0]);
   CHECK(half.F[0] == near(whole.F[0], F));
   CHECK(half.F[1] == 0.0);

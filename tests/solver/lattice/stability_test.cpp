@@ -49,5 +49,5 @@ TEST_CASE("the limit scales with the spacing") {
   const Material fine = make_material(ice, 0.01, 3.0), coarse = make_material(ice, 0.02, 3.0);
   const double a = stable_time_step(make_stencil(2, 0.01, fine.delta), fine, 0.01, ice.rho, true);
   const double b = stable_time_step(make_stencil(2, 0.02, coarse.delta), coarse, 0.02, ice.rho, true);
-  CHECK(b == Approx(2.0 * a).epsilon(1e-6));
+  CHECK(b == Approx(2.0 * a).epsilon(1e-6));  // the same iterations but for rounding
 }
