@@ -84,9 +84,9 @@ TEST_CASE("Voyage: a ramp breaks pieces of one length at one load") {
   const double cycle = R + 0.5 * P / (ice.p_c * L);
   REQUIRE(r.pieces.size() > 10);
   for (const Piece& piece : r.pieces) CHECK(piece.load == Approx(P));
-  const double work = 0.5 * P * pressed * std::tan(slope);    // F_x = F_z tan(slope)
-  CHECK(mean_load(r) == Approx(work / cycle).epsilon(0.03));  // a step of 0.04 m in a press of 0.5 m
-  CHECK(r.work.bending == Approx(r.elastic_released).epsilon(0.01));
+  const double work = 0.5 * P * pressed * std::tan(slope);            // F_x = F_z tan(slope)
+  CHECK(mean_load(r) == Approx(work / cycle).epsilon(0.03));          // a step of 0.04 m in a press of 0.5 m
+  CHECK(r.work.bending == Approx(r.elastic_released).epsilon(1e-9));  // the same sum twice: rounding
 }
 
 TEST_CASE("Voyage: work is booked once, and released by what breaks") {

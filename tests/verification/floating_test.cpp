@@ -72,7 +72,7 @@ TEST_CASE("a floe at its draught stays; pushed down it heaves with the period 2 
   Motion(ice, s, gravity).run(1.0, [&](double t) { return crossings.add(t, mean_displacement(ice, 2)); });
   const double theory = 2.0 * pi * std::sqrt(draught / gravity);
   INFO("period " << crossings.period() << " s, theory " << theory << " s");
-  CHECK(crossings.period() == Approx(theory).epsilon(0.02));
+  CHECK(crossings.period() == Approx(theory).epsilon(1e-4));  // crossings lie between steps
 }
 
 TEST_CASE("a floe under water rises") {
@@ -85,7 +85,7 @@ TEST_CASE("a floe under water rises") {
       0.5 * gravity * (s.water.rho / s.ice.rho - 1.0) * t_end * t_end;  // no drag in the model
   const double rise = mean_displacement(ice, 2) - before;
   INFO("rise " << rise << " m, theory " << theory << " m");
-  CHECK(rise == Approx(theory).epsilon(0.02));
+  CHECK(rise == Approx(theory).epsilon(2e-3));  // still moving by as much
 }
 
 TEST_CASE("a floe that was tilted rolls and pitches with the period of its metacentric height") {

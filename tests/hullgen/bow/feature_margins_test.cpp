@@ -117,10 +117,11 @@ TEST_CASE("angles given at B/4: the flare follows, and the hull has the waterlin
     INFO(hull.reason);
     REQUIRE(hull.status ==
             HullStatus::ok);  // also where both waterline angles are the same: straight, not hollow
-    CHECK(degrees(hull.waterline_at_quarter_beam) == Approx(20.0).margin(0.02));
-    CHECK(degrees(hull.measured.waterline) == Approx(entrance).margin(0.02));
-    CHECK(degrees(hull.measured.stem) == Approx(25.0).margin(0.02));
-    CHECK(degrees(hull.measured.flare) == Approx(degrees(bow.angles.flare)).margin(0.02));
+    CHECK(degrees(hull.waterline_at_quarter_beam) == Approx(20.0).margin(1e-4));  // deg: differences
+    CHECK(degrees(hull.measured.waterline) == Approx(entrance).margin(1e-4));     // deg: differences
+    CHECK(degrees(hull.measured.stem) == Approx(25.0).margin(1e-4));              // deg: differences
+    CHECK(degrees(hull.measured.flare) ==
+          Approx(degrees(bow.angles.flare)).margin(1e-4));  // deg: differences
   }
 }
 

@@ -52,14 +52,14 @@ TEST_CASE("the paper's critical stretch follows from its toughness and horizon")
 }
 
 TEST_CASE("without missing neighbours the surface factors only mend the lattice sum") {
-  // 122 points stand for a ball: its sums miss the integrals by 5 % (dilatation) and 16 % (distortion).
+  // 122 points stand for a ball: its sums miss the integrals by 10 % (dilatation) and 16 % (distortion).
   const double dx = 0.013;
   const Stencil stencil = make_stencil(7, dx, 3.0 * dx);
   const Material m = make_material({0.1, 826.6, 52e6, 0.33, 0.005, 0.0}, dx, 3.0);
   const SurfaceFactors bulk = surface_factors({3, 3, 3, 3, 3}, stencil, m, dx);
   for (int c = 0; c < 3; ++c) {
-    CHECK(bulk.dilatation[c] == Approx(1.0).margin(0.2));  // the sum for the integral: 10 % off
-    CHECK(bulk.distortion[c] == Approx(1.0).margin(0.2));  // likewise: 16 % off
+    CHECK(bulk.dilatation[c] == Approx(1.0).margin(0.11));  // the sum for the integral
+    CHECK(bulk.distortion[c] == Approx(1.0).margin(0.18));  // likewise
     CHECK(bulk.dilatation[c] == Approx(bulk.dilatation[0]));
   }
 }

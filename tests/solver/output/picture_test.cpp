@@ -84,7 +84,7 @@ Vec3 stay(const Vec3& X) {
   return X;
 }
 
-const PictureFrame frame{-0.5, 2.5, -0.75, 0.75, 600};
+const PictureFrame frame{-0.5, 2.5, -0.75, 0.75, 600, 1.0, "", false};
 const QuadMesh hull = shapes::box({-1.0, -0.2, -0.3}, {0.0, 0.2, 0.2}, {2, 2, 2});
 
 struct Folder {

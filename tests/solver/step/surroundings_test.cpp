@@ -346,7 +346,7 @@ TEST_CASE(
   const double creep = slide(0.3, 1e-3).left.y();
   CHECK(creep > 0.0);
   CHECK(creep < 0.1 * fast.left.y());
-  CHECK(slide(0.3, 2e-3).left.y() == Approx(2.0 * creep).epsilon(1e-2));
+  CHECK(slide(0.3, 2e-3).left.y() == Approx(2.0 * creep).epsilon(1e-4));  // single precision
 }
 
 namespace {
