@@ -151,7 +151,9 @@ std::string ranking_text(const Ranking& ranking) {
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;
   text += cautions(ranking);
-  for (const std::string& warning : ranking.warnings) text += "\nwarning: " + warning + "\n";
+  for (const std::string& warning : ranking.warnings)
+    if (race.empty() || warning.rfind("not told apart", 0) != 0)  // a race says itself who may be the best
+      text += "\nwarning: " + warning + "\n";
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {
     text += "\nrank correlation of mean load and formula: " + brief(ranking.spearman) + " (" +
