@@ -69,7 +69,8 @@ class Campaign:
                 for most in self.positions(size_of(name, sizes)):
                     fell = self.one_study(path, name, label, error, most, ranks, expected)
                     stopped, went_on = stopped + fell, went_on + (not fell)
-        print(f"study, {ranks or 1} ranks: {stopped} stopped by the disk and resumed, {went_on} not touched by it",
+        print(f"study, {ranks or 1} ranks: {stopped} stopped by the disk and resumed, {went_on} not touched by it; "
+              f"{len(self.faults)} faults so far",
               flush=True)
 
     def one_study(self, path, name, label, error, most, ranks, expected):
