@@ -8,10 +8,10 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "study/evaluate/result_keys.h"
+#include "study/look/stored_design.h"
 #include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
-#include "study/run/race_loop.h"
 #include "study/spec/read_study.h"
 #include "study/store/store.h"
 
@@ -81,11 +81,6 @@ void add_runs(StudyResults& study, const std::vector<Evaluation>& evaluations) {
     it = it->second.size() < 2 ? study.repeats.erase(it) : std::next(it);
 }
 
-std::string rank_by(const Store& store) {
-  const std::string fact = store.fact("rank_by");
-  return fact.empty() ? StudySpec().rank_by : fact;
-}
-
 // Lists and grids draw no random numbers.
 std::string seed(const Json& document, const Store& store) {
   const std::string method = text_at(document, "/method/type");
@@ -119,8 +114,7 @@ StudyResults read_study_results(const std::string& directory) {
   study.state = store.fact("state");
   study.file = store.fact("study_file");
   study.seed = seed(study.document, store);
-  study.ranking = rank_designs(evaluations, rank_by(store));
-  study.ranking.race = read_race(store);
+  study.ranking = stored_ranking(store);
   count_statuses(study, evaluations);
   add_runs(study, evaluations);
   add_plan(study, evaluations);

@@ -78,17 +78,9 @@ std::string open_race_clause(const RaceRecord& race) {
   return "; the race is not decided: " + counted(others, "other design") + " may be lower";
 }
 
-// The one that leads a race may have a higher mean than one that went out by an earlier, luckier record.
-const RankedDesign& best_design(const StudyResults& study) {
-  const RaceRecord& race = study.ranking.race;
-  for (const RankedDesign& row : study.ranking.rows)
-    if (race.given() && row.rank > 0 && row.evaluation.name == race.legs.back().leader) return row;
-  return study.ranking.rows.front();
-}
-
 std::string headline(const StudyResults& study, int ranked) {
   if (ranked > 0) {
-    const RankedDesign& best = best_design(study);
+    const RankedDesign& best = *best_of(study.ranking);
     const std::string angles = angles_in_words(best, study.ranking);
     const std::string versus = best.evaluation.name == "baseline" ? "" : versus_in_words(best, study);
     return best.evaluation.name + (angles.empty() ? "" : " (" + angles + ")") + claim(study) +

@@ -271,8 +271,10 @@ std::string cost(const RankedDesign& ranked) {
 }
 
 std::string command(const ReportContent& content, const RankedDesign& ranked) {
-  const std::string study =
-      content.study.file.empty() ? content.study.directory + "/study.json" : content.study.file;
+  // The directory knows how far a race has sailed each design.
+  const std::string study = content.study.ranking.race.given() ? content.study.directory
+                            : content.study.file.empty()       ? content.study.directory + "/study.json"
+                                                               : content.study.file;
   const std::string name = ranked.evaluation.name;
   const bool plain =
       name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") ==

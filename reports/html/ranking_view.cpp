@@ -156,8 +156,7 @@ AgainstBest against_best(const ReportContent& content, std::size_t i) {
   const std::string place = place_in_race(ranking.race, row.evaluation.name);
   const double p = row.rank <= 1 ? NAN : compared_with(row, content.row(0), ranking.rank_by).p;
   if (!place.empty()) {
-    const auto& in = ranking.race.legs.back().in;
-    const bool open = std::find(in.begin(), in.end(), row.evaluation.name) != in.end();
+    const bool open = is_in(ranking.race.legs.back(), row.evaluation.name);
     return {p, open && row.rank > 1, place};
   }
   const bool tied = p >= told_apart_below;

@@ -9,7 +9,6 @@
 #include "cli/text_table.h"
 #include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
-#include "study/run/race_loop.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
@@ -106,11 +105,7 @@ std::string cautions(const Ranking& ranking) {
 }  // namespace
 
 Ranking read_ranking(const std::string& directory) {
-  const Store store = open_store_of(directory);
-  const std::string by = store.fact("rank_by");
-  Ranking ranking = rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
-  ranking.race = read_race(store);
-  return ranking;
+  return stored_ranking(open_store_of(directory));
 }
 
 std::string ranking_text(const Ranking& ranking) {

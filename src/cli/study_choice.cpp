@@ -1,6 +1,9 @@
 #include "cli/study_choice.h"
 
+#include <utility>
+
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "study/look/stored_design.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_hints.h"
@@ -74,6 +77,7 @@ Design planned_design(const StudySpec& spec, const Arguments& arguments) {
   return find_planned(plan_study(spec), wanted).design;
 }
 
+// Of a race as far as it has sailed, unless the operation is asked for otherwise.
 Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
   if (!arguments.has("--design")) return baseline_of(spec);
   const Design planned = planned_design(spec, arguments);
@@ -81,7 +85,9 @@ Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
   Json document = planned.document;
   for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
   resolve_hull_files(document, spec.file);
-  return read_design(planned.name, std::move(document), planned.parameters);
+  Design changed = read_design(planned.name, std::move(document), planned.parameters);
+  const bool asked = part_at(changed.document, "/operation") != part_at(planned.document, "/operation");
+  return planned.sail_to > 0.0 && !asked ? sailed_to(std::move(changed), planned.sail_to) : changed;
 }
 
 }  // namespace

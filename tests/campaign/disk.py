@@ -50,6 +50,7 @@ class Campaign:
 
     def note(self, what, words):
         self.faults.append(f"{what}: {words}")
+        print(f"fault: {self.faults[-1]}", flush=True)
 
     def failing(self, name, error, most):
         return {**OFTEN, "LD_PRELOAD": self.library, "ICEBOW_FAULT": f"{name} {error} {most}"}
@@ -190,7 +191,7 @@ def main():
         campaign.study(0)
         if not chosen.short:
             campaign.study(2)
-    print(f"{len(campaign.faults)} faults", *campaign.faults, sep="\n")
+    print(f"{len(campaign.faults)} faults")
     return 1 if campaign.faults else 0
 
 

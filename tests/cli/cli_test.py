@@ -355,6 +355,21 @@ class Stored(ProgramTest):
         self.assertIn("DESIGN is missing", self.expect(2, "show", self.out).stderr)
         self.assertIn("no such design", self.expect(2, "hull", self.out, "--design", "d099").stderr)
 
+    def test_a_voyage_of_a_race_is_reproduced_as_far_as_it_was_sailed(self):
+        study = json.loads(TINY.read_text())
+        study.update(sheet={"length_m": 46, "width_m": 30, "window_ahead_m": 12}, designs=[],
+                     operation={"speed_kn": 6, "advance_m": 8, "steady_from_m": 1}, include_baseline=False,
+                     decide={"best_within": 0.001, "longest_m": 12},
+                     method={"type": "grid", "variables": {"/bow/stem_deg": {"values": [24, 25]}}})
+        self.study.write_text(json.dumps(study))
+        race, again = self.directory / "race", self.directory / "again"
+        self.expect(0, "run", self.study, "--out", race)
+        self.assertEqual(json.loads((race / "designs/d001/result.json").read_text())["sailed_to_m"], 12)
+        self.expect(0, "simulate", race, "--design", "d001", "--out", again)
+        self.assertEqual((again / "history.csv").read_bytes(), (race / "designs/d001/history.csv").read_bytes())
+        self.assertFalse((again / "checkpoint.h5").exists())
+        self.assertIn("Not decided", self.expect(0, "rank", race).stdout)
+
     def test_a_design_of_another_study_file_is_said_to_be_that(self):
         study = json.loads(self.study.read_text())
         study["ice"]["thickness_m"] *= 1.25

@@ -18,8 +18,8 @@ struct Design {
   Evaluators asked;           // by the document
   std::optional<Case> given;  // what the document describes; nothing where it describes no ship
   std::string mistake;        // then: why
-  // Of a voyage that may be sailed on, how far it goes now, full scale [m]: `given` has it as its advance,
-  // and the simulation leaves its state at the end. 0 = a voyage as the document has it.
+  // Of a voyage that may be sailed on, how far it goes now, full scale [m]: `given` has it as its advance.
+  // 0 = a voyage as the document has it.
   double sail_to = 0.0;
 };
 

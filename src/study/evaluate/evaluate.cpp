@@ -262,7 +262,7 @@ RunOptions run_options(Work& work) {
   options.stop = work.options.stop;
   if (work.writes()) options.checkpoint_file = work.path(checkpoint_name);
   options.keep_checkpoint = true;
-  options.to_be_sailed_on = work.design.sail_to > 0.0;
+  options.to_be_sailed_on = work.options.keep_checkpoint && work.design.sail_to > 0.0;
   options.checkpoint_every_s = work.options.checkpoint_every_s;
   options.resume = work.options.resume;
   options.on_resume = work.options.on_resume;
@@ -375,8 +375,7 @@ Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
   if (work.writes() && e.status != EvaluationStatus::running) {
     act_on_root(work.comm, [&] {
       write_text_file(work.path("result.json"), json_text(e.result, 2) + "\n");
-      if (!work.options.keep_checkpoint && work.design.sail_to == 0.0)
-        remove_checkpoint_in(work.options.directory);
+      if (!work.options.keep_checkpoint) remove_checkpoint_in(work.options.directory);
     });
   }
   return e;

@@ -23,7 +23,9 @@ struct EvaluateOptions {
   // The simulation's checkpoint in that directory: see RunOptions.
   double checkpoint_every_s = usual_checkpoint_interval();
   Resume resume = Resume::if_usable;
-  bool keep_checkpoint = false;  // at the end too: the caller removes it once the result is safe
+  // At the end too: the caller removes it once the result is safe. Of a voyage that may be sailed on it is
+  // the state of its end.
+  bool keep_checkpoint = false;
   std::function<void(std::int64_t step)> on_resume;
   std::function<void(const std::string& words)> on_note;  // on the root: a checkpoint was set aside ...
 };

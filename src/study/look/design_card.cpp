@@ -56,7 +56,7 @@ Json commands_for(const std::string& directory, const Design& design) {
 }
 
 void add_rank(Json& card, const Store& store, const std::string& name) {
-  const Ranking ranking = rank_designs(store.all(), store.fact("rank_by"));
+  const Ranking ranking = stored_ranking(store);
   int ranked = 0;
   card["rank_by"] = ranking.rank_by, card["rank"] = 0, card["value"] = nullptr;
   for (const RankedDesign& row : ranking.rows) {

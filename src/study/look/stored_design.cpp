@@ -4,8 +4,11 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/plan/confirmation.h"
 #include "study/plan/repeats.h"
+#include "study/run/race_loop.h"
 #include "study/spec/design_name.h"
 
 namespace icebow {
@@ -62,6 +65,13 @@ Store open_store_of(const std::string& directory) {
   return Store::open_read_only(store_in(directory));
 }
 
+Ranking stored_ranking(const Store& store) {
+  const std::string by = store.fact("rank_by");
+  Ranking ranking = rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
+  ranking.race = read_race(store);
+  return ranking;
+}
+
 Json document_of(const Store& store) {
   return parse_json(store.fact("study"), "results.sqlite, the study that was run");
 }
@@ -75,6 +85,10 @@ std::optional<StoredDesign> stored_design(const StudySpec& spec, const Store& st
       named(is_confirmation(run) ? confirmations(spec, design->design) : runs_of(spec, *design), name);
   if (!planned) return std::nullopt;
   StoredDesign found{*planned, store.find_name(name), false};
+  if (found.evaluation && found.planned.design.sail_to > 0.0) {
+    const double sailed = number_at(found.evaluation->result, result_key::sailed_to);
+    if (sailed > 0.0) found.planned.design = sailed_to(std::move(found.planned.design), sailed);
+  }
   found.is_same = found.evaluation && found.evaluation->key == planned->key;
   return found;
 }

@@ -45,8 +45,7 @@ Json side(const RankedDesign& row) {
 
 Json study_diff(const std::string& first, const std::string& second) {
   const Store a = open_store_of(first), b = open_store_of(second);
-  const Ranking ranked_a = rank_designs(a.all(), a.fact("rank_by")),
-                ranked_b = rank_designs(b.all(), b.fact("rank_by"));
+  const Ranking ranked_a = stored_ranking(a), ranked_b = stored_ranking(b);
   const Rows rows_a = rows_of(ranked_a), rows_b = rows_of(ranked_b);
   Json diff = {{"study", asked_differently(document_of(a), document_of(b))},
                {"rank_by", {ranked_a.rank_by, ranked_b.rank_by}},

@@ -45,16 +45,16 @@ Json study_status(const std::string& directory) {
   const Store store = open_store_of(directory);
   const StudySpec spec = read_study(document_of(store), store.fact("study_file"));
   const std::vector<Evaluation> evaluations = store.all();
-  const Ranking ranking = rank_designs(evaluations, store.fact("rank_by"));
-  const bool any = !ranking.rows.empty() && ranking.rows[0].rank == 1;
+  const Ranking ranking = stored_ranking(store);
+  const RankedDesign* best = best_of(ranking);
   const std::string state = state_of(store, directory);
   Json status = {{"name", spec.name},
                  {"state", state},
                  {"designs", store.designs()},
                  {"may_follow", may_follow(spec, evaluations, state)},
                  {"rank_by", ranking.rank_by},
-                 {"best", any ? Json(ranking.rows[0].evaluation.name) : Json(nullptr)},
-                 {"value", any ? finite_or_null(ranking.rows[0].value) : Json(nullptr)}};
+                 {"best", best ? Json(best->evaluation.name) : Json(nullptr)},
+                 {"value", best ? finite_or_null(best->value) : Json(nullptr)}};
   for (const char* fact : {"started", "host", "command", "version"}) status[fact] = store.fact(fact);
   count(status, evaluations);
   return status;

@@ -57,8 +57,7 @@ Json study_table(const std::string& directory) {
   const Store store = open_store_of(directory);
   const std::vector<Evaluation> evaluations = store.all();
   std::map<std::string, int> ranks;
-  for (const RankedDesign& row : rank_designs(evaluations, store.fact("rank_by")).rows)
-    ranks[row.evaluation.name] = row.rank;
+  for (const RankedDesign& row : stored_ranking(store).rows) ranks[row.evaluation.name] = row.rank;
   Json table = Json::array();
   for (const Evaluation& e : evaluations)
     table.push_back({{"design", e.name},

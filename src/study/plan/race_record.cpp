@@ -30,10 +30,6 @@ std::map<std::string, double> lengths_from(const Json& json) {
   return lengths;
 }
 
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::string others_in_words(const RaceLeg& leg) {
   std::vector<std::string> others;
   for (const std::string& name : leg.in)
@@ -73,6 +69,10 @@ std::string why_it_ended(const RaceRecord& record) {
 
 }  // namespace
 
+bool is_in(const RaceLeg& leg, const std::string& design) {
+  return std::find(leg.in.begin(), leg.in.end(), design) != leg.in.end();
+}
+
 Json to_json(const RaceRecord& record) {
   if (record.state == RaceState::none) return nullptr;
   Json legs = Json::array();
@@ -90,6 +90,7 @@ Json to_json(const RaceRecord& record) {
           {"confidence", record.confidence},
           {"budget_core_h", record.budget_core_hours},
           {"legs", legs},
+          {"keys", record.keys},
           {"targets_m", lengths_json(record.targets)}};
 }
 
@@ -111,6 +112,7 @@ RaceRecord race_record_from_json(const Json& json) {
     leg.core_hours = one.at("core_hours");
     record.legs.push_back(leg);
   }
+  record.keys = json.at("keys").get<std::map<std::string, std::string>>();
   record.targets = lengths_from(json.at("targets_m"));
   return record;
 }
@@ -135,7 +137,7 @@ std::string place_in_race(const RaceRecord& record, const std::string& design) {
   if (!record.given() || record.legs.back().sailed.count(design) == 0) return "";
   if (record.legs.back().leader == design) return "leads";
   for (std::size_t n = 0; n < record.legs.size(); ++n)
-    if (!holds(record.legs[n].in, design)) return "out in leg " + std::to_string(n + 1);
+    if (!is_in(record.legs[n], design)) return "out in leg " + std::to_string(n + 1);
   return "may be the lowest";
 }
 

@@ -29,10 +29,13 @@ struct RaceRecord {
   RaceState state = RaceState::none;
   double best_within = 0.0, confidence = 0.0, budget_core_hours = 0.0;
   std::vector<RaceLeg> legs;
-  std::map<std::string, double> targets;  //!< by key: how far the voyage is to be sailed, full scale [m]
+  std::map<std::string, std::string> keys;  // by name, of the designs that race
+  std::map<std::string, double> targets;    //!< by key: how far the voyage is to be sailed, full scale [m]
 
   bool given() const { return state != RaceState::none && !legs.empty(); }
 };
+
+bool is_in(const RaceLeg& leg, const std::string& design);
 
 Json to_json(const RaceRecord& record);
 // Of what to_json() made; a record without a race where `json` is none.

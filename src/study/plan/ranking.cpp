@@ -383,6 +383,13 @@ Json to_json(const Ranking& ranking) {
           {"spearman_n", ranking.spearman_n}};
 }
 
+const RankedDesign* best_of(const Ranking& ranking) {
+  for (const RankedDesign& row : ranking.rows)
+    if (row.rank > 0 && ranking.race.given() && row.evaluation.name == ranking.race.legs.back().leader)
+      return &row;
+  return !ranking.rows.empty() && ranking.rows.front().rank == 1 ? &ranking.rows.front() : nullptr;
+}
+
 std::string compared_part(const Ranking& ranking) {
   bool whole = false, part = false;
   for (const RankedDesign& row : ranking.rows) {

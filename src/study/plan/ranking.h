@@ -79,6 +79,10 @@ std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evalu
 // (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.
 double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
+// The design that leads its race, else the first of those ranked; none where none is ranked. The leader's
+// mean may be above that of a design that an earlier leg has put out.
+const RankedDesign* best_of(const Ranking& ranking);
+
 // "total", "breaking", or "total or breaking" where designs differ: of `lindqvist` over the ranked designs.
 std::string compared_part(const Ranking& ranking);
 

@@ -9,6 +9,7 @@
 #include "study/evaluate/result_keys.h"
 #include "study/plan/race.h"
 #include "study/plan/ranking.h"
+#include "study/run/sailing.h"
 
 namespace icebow {
 namespace {
@@ -56,6 +57,7 @@ class Race {
  private:
   void catch_up();
   void look();
+  void take_roster();
   void judge();
   std::vector<PlannedDesign> next_legs();
   std::map<std::string, double> sailed() const;
@@ -101,7 +103,7 @@ void Race::look() {
     racer.sailed = number_at(result, result_key::sailed_to);
     const double seconds = number_at(result, result_key::simulation_seconds);
     racer.core_hours = std::isfinite(seconds) ? seconds * number_at(result, result_key::ranks) / 3600.0 : 0.0;
-    racer.can_go_on = text_at(result, result_key::sailing_ended).empty();
+    racer.can_go_on = !has_ended(row.evaluation);
     if (std::isfinite(racer.sailed)) racers_.push_back(racer);
   }
 }
@@ -118,19 +120,28 @@ double Race::spent() const {
   return hours;
 }
 
+// A design that was not there, or was another ship of the same name, makes it another race.
+void Race::take_roster() {
+  std::map<std::string, std::string> keys;
+  for (const Racer& racer : racers_) keys[racer.planned->design.name] = racer.planned->key;
+  if (!std::includes(record_.keys.begin(), record_.keys.end(), keys.begin(), keys.end()))
+    record_.legs.clear();
+  record_.keys = keys;
+}
+
 // The same records as before are no new look at them: the leg is judged again instead.
 void Race::judge() {
+  take_roster();
   const auto now = sailed();
   if (!record_.legs.empty() && record_.legs.back().sailed == now) record_.legs.pop_back();
   std::vector<MeanEstimate> loads;
   std::vector<bool> in;
   for (const Racer& racer : racers_) {
     loads.push_back(racer.load);
-    const std::string& name = racer.planned->design.name;
-    const bool is_new = record_.legs.empty() || record_.legs.back().sailed.count(name) == 0;
-    const auto& before = is_new ? std::vector<std::string>{name} : record_.legs.back().in;
-    in.push_back(std::find(before.begin(), before.end(), name) != before.end());
+    in.push_back(record_.legs.empty() || is_in(record_.legs.back(), racer.planned->design.name));
   }
+  // Those that were in may have left the study since: then all race again.
+  if (std::find(in.begin(), in.end(), true) == in.end()) in.assign(racers_.size(), true);
   const int leg = static_cast<int>(record_.legs.size()) + 1;
   standing_ = standing(loads, in, leg, {record_.best_within, record_.confidence});
   RaceLeg judged;

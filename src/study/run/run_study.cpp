@@ -9,10 +9,8 @@
 #include <optional>
 
 #include "base/errors.h"
-#include "base/json_fields.h"
 #include "base/text.h"
 #include "study/evaluate/calibration.h"
-#include "study/evaluate/result_keys.h"
 #include "study/plan/constraints.h"
 #include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
@@ -22,6 +20,7 @@
 #include "study/run/failure.h"
 #include "study/run/race_loop.h"
 #include "study/run/runner.h"
+#include "study/run/sailing.h"
 #include "study/run/study_directory.h"
 #include "study/spec/case_hull.h"
 #include "study/store/design_files.h"
@@ -53,14 +52,12 @@ class StudyLoop {
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   bool recall(const PlannedDesign& planned);
   bool fails_again(const PlannedDesign& planned, const Evaluation& stored);
-  void adopt(const PlannedDesign& planned);
-  bool is_far_enough(const PlannedDesign& planned, Evaluation& stored);
+  bool sails_on(const PlannedDesign& planned, Evaluation& stored);
   bool recall_damaged(const PlannedDesign& planned, const Evaluation& stored);
   void start(const PlannedDesign& planned);
-  void mark_as_running(const PlannedDesign& planned, const std::optional<Evaluation>& stored);
+  void mark_as_running(const PlannedDesign& planned);
   void finish(std::vector<Evaluation> ended);
   void keep(Evaluation& evaluation);
-  void end_sailing(Evaluation& stored, const std::string& reason);
   void told(const Evaluation& evaluation);
   void report(const Evaluation& evaluation, bool recalled);
   void abandon();
@@ -215,45 +212,9 @@ void StudyLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
   }
 }
 
-// The first leg of a voyage is the same whether the study sails on or not.
-void StudyLoop::adopt(const PlannedDesign& planned) {
-  if (planned.other_key.empty() || store_.find(planned.key)) return;
-  std::optional<Evaluation> other = store_.find(planned.other_key);
-  if (!other || other->status != EvaluationStatus::ok) return;
-  const double first_leg = planned.design.given->advance;
-  const bool races = planned.design.sail_to > 0.0;
-  if (!races && number_at(other->result, result_key::sailed_to) != first_leg) return;
-  other->key = planned.key;
-  if (races) other->result["sailed_to_m"] = first_leg;
-  if (!races) other->result.erase("sailed_to_m");
-  store_.together([&] {
-    store_.remove(planned.other_key);
-    store_.put(*other);
-  });
-}
-
-// A voyage whose record is there, but shorter than it is to be, is sailed on.
-bool StudyLoop::is_far_enough(const PlannedDesign& planned, Evaluation& stored) {
-  if (planned.design.sail_to == 0.0 || stored.status != EvaluationStatus::ok) return true;
-  const double sailed = number_at(stored.result, result_key::sailed_to);
-  if (!(sailed < planned.design.sail_to)) return true;
-  if (settings_.retry_failed) stored.result.erase("sailing_ended");
-  if (!text_at(stored.result, result_key::sailing_ended).empty()) return true;
-  const std::string crash = crash_mark_in(design_directory(settings_.directory, stored.name));
-  if (!crash.empty()) end_sailing(stored, "the program was lost by " + crash);
-  return !crash.empty();
-}
-
-// What has been sailed stands.
-void StudyLoop::end_sailing(Evaluation& stored, const std::string& reason) {
-  stored.result["sailing_ended"] = reason;
-  outcome_.notes.push_back(stored.name + ": cannot be sailed on: " + reason +
-                           "; what it has sailed stands (--retry-failed tries it again)");
-}
-
 // Whether there is nothing to evaluate.
 bool StudyLoop::recall(const PlannedDesign& planned) {
-  adopt(planned);
+  adopt_first_leg(store_, planned);
   std::optional<Evaluation> stored =
       settle_name(store_, settings_.directory, planned.design.name, planned.key);
   if (!planned.design.given) {
@@ -282,13 +243,22 @@ bool StudyLoop::recall(const PlannedDesign& planned) {
     return false;
   }
   if (stored->status == EvaluationStatus::damaged) return recall_damaged(planned, *stored);
-  if (!is_far_enough(planned, *stored)) return false;
+  if (sails_on(planned, *stored)) return false;
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
   complete_result(*stored, settings_.directory, !planned.design.asked.formula_alone());
   if (to_json(*stored) != before) store_.put(*stored);
   report(*stored, true);
   return true;
+}
+
+// A voyage whose record is there, but shorter than it is to be.
+bool StudyLoop::sails_on(const PlannedDesign& planned, Evaluation& stored) {
+  if (is_far_enough(planned, stored) || (has_ended(stored) && !settings_.retry_failed)) return false;
+  const std::string crash = crash_mark_in(design_directory(settings_.directory, stored.name));
+  if (crash.empty() || settings_.retry_failed) return true;
+  outcome_.notes.push_back(end_sailing(stored, "the program was lost by " + crash));
+  return false;
 }
 
 bool StudyLoop::fails_again(const PlannedDesign& planned, const Evaluation& stored) {
@@ -312,15 +282,15 @@ bool StudyLoop::recall_damaged(const PlannedDesign& planned, const Evaluation& s
 // A design of the formula alone is over in a millisecond: it has no mark and no files. A voyage that is
 // sailed on keeps its record until the longer one is there.
 void StudyLoop::start(const PlannedDesign& planned) {
-  const auto stored = store_.find(planned.key);
-  const bool sails_on = stored && stored->status == EvaluationStatus::ok;
-  if (!planned.design.asked.formula_alone() && !sails_on) mark_as_running(planned, stored);
+  if (!planned.design.asked.formula_alone()) mark_as_running(planned);
   under_way_[planned.design.name] = planned;
   observer_.on_started(planned.design);
   runner_.start(planned);
 }
 
-void StudyLoop::mark_as_running(const PlannedDesign& planned, const std::optional<Evaluation>& stored) {
+void StudyLoop::mark_as_running(const PlannedDesign& planned) {
+  const auto stored = store_.find(planned.key);
+  if (stored && stored->status == EvaluationStatus::ok) return;
   Evaluation mark;
   mark.key = planned.key;
   mark.name = planned.design.name;
@@ -353,7 +323,7 @@ void StudyLoop::keep(Evaluation& evaluation) {
   if (planned.design.sail_to > 0.0 && evaluation.status != EvaluationStatus::ok)
     before = store_.find(planned.key);
   if (before && before->status == EvaluationStatus::ok) {
-    end_sailing(*before, evaluation.reason);
+    outcome_.notes.push_back(end_sailing(*before, evaluation.reason));
     evaluation = *before;
   }
   evaluation.key = planned.key;
@@ -401,8 +371,9 @@ void StudyLoop::sum_up() {
     outcome_.infeasible += e.status == EvaluationStatus::infeasible && run_name(e.name).number == 1;
     outcome_.failed += e.status == EvaluationStatus::failed || e.status == EvaluationStatus::damaged;
   }
-  const Ranking ranking = rank_designs(evaluations, spec_.rank_by);
-  if (!ranking.rows.empty() && ranking.rows[0].rank == 1) outcome_.best = ranking.rows[0].evaluation.name;
+  Ranking ranking = rank_designs(evaluations, spec_.rank_by);
+  ranking.race = read_race(store_);
+  if (const RankedDesign* best = best_of(ranking)) outcome_.best = best->evaluation.name;
 }
 
 // A week's study does not end because somebody looks into its store: it waits, and says so.

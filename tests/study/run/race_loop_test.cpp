@@ -193,6 +193,30 @@ TEST_CASE("a voyage that fails when it is sailed on keeps what it has sailed") {
   }));
 }
 
+TEST_CASE("where those that were in have left the study, the others race on") {
+  const TemporaryDirectory folder;
+  const std::string named = with(R"({"method": null, "include_baseline": false, "designs": [
+    {"name": "flat", "set": {"bow": {"stem_deg": 20}}}, {"name": "steep", "set": {"bow": {"stem_deg": 32}}},
+    {"name": "steeper", "set": {"bow": {"stem_deg": 33}}}]})");
+  run(named, settings(folder / "study"));
+  REQUIRE(place_in_race(read_race(store_in(folder / "study")), "steep") == "out in leg 1");
+  Json fewer = Json::parse(named);
+  fewer["designs"].erase(0);
+  CHECK(run(fewer.dump(), settings(folder / "study")).best == "steep");
+  CHECK_THAT(place_in_race(read_race(store_in(folder / "study")), "steep"), !Catch::StartsWith("out"));
+}
+
+TEST_CASE("a name that stands for another ship makes another race") {
+  const TemporaryDirectory folder;
+  run(three_bows, settings(folder / "study"));
+  REQUIRE(place_in_race(read_race(store_in(folder / "study")), "d003") == "out in leg 1");  // 32 deg
+  const StudyOutcome outcome =
+      run(with(R"({"method": {"variables": {"/bow/stem_deg": {"values": [32, 30, 20]}}}})"),
+          settings(folder / "study"));
+  CHECK(outcome.best == "d003");  // 20 deg now
+  CHECK(place_in_race(read_race(store_in(folder / "study")), "d003") == "leads");
+}
+
 TEST_CASE("a study that cannot decide is told why") {
   const auto refused = [](const std::string& patch, const std::string& words) {
     CHECK_THROWS_WITH(fake_study(with(patch)), Catch::Contains(words));
