@@ -36,6 +36,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/text_file.h"
 
 namespace icebow {
 namespace {
@@ -141,14 +142,14 @@ bool write_step(const std::string& path, const TopoDS_Solid& shape, const std::s
   return writer.Write(path.c_str()) == IFSelect_RetDone;
 }
 
-bool write_iges(const std::string& path, const TopoDS_Solid& shape, const std::string& name) {
+bool write_iges(const std::string& path, const TopoDS_Solid& shape, const std::string& name,
+                const std::string& file_name) {
   IGESControl_Controller::Init();
   IGESControl_Writer writer("M", 0);  // 0: trimmed surfaces, which more programs read than IGES solids
   IGESData_GlobalSection head = writer.Model()->GlobalSection();
   head.SetCascadeUnit(1000.0);  // millimetres in what the numbers are; the file's own unit is metres too
   head.SetSendName(new TCollection_HAsciiString(ascii(name).c_str()));
-  head.SetFileName(
-      new TCollection_HAsciiString(ascii(std::filesystem::path(path).filename().string()).c_str()));
+  head.SetFileName(new TCollection_HAsciiString(ascii(file_name).c_str()));
   head.SetAuthorName(new TCollection_HAsciiString("Icebow"));  // not the user's name
   writer.Model()->SetGlobalSection(head);
   if (!writer.AddShape(shape)) return false;
@@ -163,8 +164,14 @@ double write_solid(const std::string& path, const HullSurfaces& hull, const std:
     throw InputError(path + ": no such CAD format; the name must end in .step, .stp, .igs or .iges");
   Message::DefaultMessenger()->ChangePrinters().Clear();  // it tells standard output what it transfers
   const TopoDS_Solid shape = solid(hull);
-  if (!(step ? write_step(path, shape, name) : write_iges(path, shape, name)))
-    throw RuntimeError(path + ": cannot write the file");
+  // OpenCASCADE leaves what it could write: a file without its last line would pass for a whole one.
+  const std::string beside = path + ".tmp", file_name = std::filesystem::path(path).filename().string();
+  const bool written = step ? write_step(beside, shape, name) : write_iges(beside, shape, name, file_name);
+  const std::string text = written ? read_text_file(beside) : "";
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  if (!written) throw RuntimeError(path + ": cannot write the file");
+  write_text_file(path, text);
   return volume(shape);
 }
 
