@@ -19,6 +19,13 @@ bool is_simulated(const RankedDesign& row) {
   return part_at(row.evaluation.result, result_key::simulation).is_object();
 }
 
+// By which the order is told: what all designs share of the error of a corrected level is not in it.
+double order_ci95(const RankedDesign& row, const std::string& by) {
+  const double shared = value_ci95(row, by);
+  if (!std::isfinite(row.difference_ci95) || !(row.mean_load_ci95 > 0.0)) return shared;
+  return shared * row.difference_ci95 / row.mean_load_ci95;
+}
+
 double run_up_and_steady(const Json& result, double share) {
   const double from = number_at(result, result_key::steady_from);
   const double to = number_at(result, result_key::steady_to);
@@ -45,7 +52,7 @@ TooShort too_short(const StudyResults& study) {
   std::string widest, fewest;
   for (int i = 0; i < ranked; ++i) {
     const RankedDesign& row = study.ranking.rows[static_cast<std::size_t>(i)];
-    const double half = value_ci95(row, by), samples = independent_samples(row, by);
+    const double half = order_ci95(row, by), samples = independent_samples(row, by);
     if (i < 3 && std::isfinite(half) && half > std::fabs(row.value) && widest.empty())
       widest = row.evaluation.name;
     if (i < 3 && samples < fewest_samples && fewest.empty()) fewest = row.evaluation.name;

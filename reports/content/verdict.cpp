@@ -56,6 +56,19 @@ std::string tie_clause(const StudyResults& study, int ranked) {
   return "; " + counted(static_cast<std::size_t>(tied), "other design") + " cannot be told apart from it";
 }
 
+// The simulations that confirm fix the order, but not the level.
+bool level_is_open(const StudyResults& study, int ranked) {
+  if (ranked == 0 || study.ranking.confirmed.designs == 0) return false;
+  const RankedDesign& best = study.ranking.rows.front();
+  return value_ci95(best, study.ranking.rank_by) > std::fabs(best.value);
+}
+
+std::string open_level(const StudyResults& study) {
+  return "The level of the loads is not known: its interval is wider than the mean after " +
+         counted(static_cast<std::size_t>(study.ranking.confirmed.designs), "simulation") +
+         ". The order is the breaking cycle's.";
+}
+
 std::string sentence(std::string words) {
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words.back() == '.' ? words : words + '.';
@@ -125,6 +138,8 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
   if (race.given() && race.state != RaceState::decided)
     return "Raise decide.budget_core_h or decide.longest_m: the same command then sails the open voyages on.";
   if (!records.reason.empty() && !race.given()) return longer_records(records);
+  if (level_is_open(study, ranked))
+    return "Simulate more designs for the level: raise confirm.best or confirm.spread.";
   const Ranking& ranking = study.ranking;
   const std::string bound = at_its_bound(study);
   if (!bound.empty())
@@ -227,6 +242,7 @@ Verdict verdict(const StudyResults& study) {
   result.ranks = ranked > 0 && (records.reason.empty() || raced);
   result.headline = result.ranks || ranked == 0 ? headline(study, ranked) : no_order(records);
   if (raced) result.remarks.push_back(race_in_words(study.ranking.race));
+  if (level_is_open(study, ranked)) result.remarks.push_back(open_level(study));
   result.next = next_step(study, ranked, records);
   const Conditions found = conditions(study);
   if (!found.unlike_ships.empty()) result.remarks.push_back(found.unlike_ships);

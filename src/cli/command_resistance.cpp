@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
+#include "formula/fsicr_channel.h"
 #include "formula/lindqvist.h"
 #include "formula/riska.h"
 #include "geometry/mesh_slice.h"
@@ -24,29 +25,60 @@ struct Answers {
   LindqvistResult lindqvist;
   RiskaInputs riska_inputs;
   RiskaResult riska;
+  ChannelInputs channel_inputs;
+  ChannelResult channel;
   CycleOutcome cycle;
 };
 
-// Along the waterline, where the hull has at least 99.5 % of its largest beam [m].
-double parallel_length(const QuadMesh& hull) {
-  double widest = 0.0, first = -std::numeric_limits<double>::infinity(), last = -first;
+// Of the waterline. The midbody is parallel where the hull has at least 99.5 % of its largest beam.
+struct WaterlineForm {
+  double parallel = 0.0;   //!< length of the parallel midbody [m]
+  double foreship = 0.0;   //!< length ahead of it [m]
+  double fore_area = 0.0;  //!< ahead of it [m^2]
+};
+
+// Between a line and the chord of its ends [m^2].
+double enclosed(const Polyline& line) {
+  double twice = 0.0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Vec3 &p = line[k], &q = line[(k + 1) % line.size()];
+    twice += p.x() * q.y() - q.x() * p.y();
+  }
+  return std::abs(twice) / 2.0;
+}
+
+WaterlineForm waterline_form(const QuadMesh& hull) {
+  double widest = 0.0, stem = -std::numeric_limits<double>::infinity(), first = stem, last = -stem;
   const auto lines = slice(hull, 2, 0.0);
   for (const Polyline& line : lines)
-    for (const Vec3& p : line) widest = std::max(widest, std::abs(p.y()));
+    for (const Vec3& p : line) widest = std::max(widest, std::abs(p.y())), stem = std::max(stem, p.x());
   for (const Polyline& line : lines) {
     for (const Vec3& p : line) {
       if (std::abs(p.y()) < 0.995 * widest) continue;
       first = std::max(first, p.x()), last = std::min(last, p.x());
     }
   }
-  return std::max(0.0, first - last);
+  WaterlineForm form;
+  if (!(first > last)) return form;
+  form.parallel = first - last, form.foreship = stem - first;
+  for (const Polyline& line : lines)
+    for (const Polyline& part : clipped(line, 0, first)) form.fore_area += enclosed(part);
+  return form;
 }
 
-RiskaInputs riska_inputs(const Case& c, const Hull& hull) {
+RiskaInputs riska_inputs(const Case& c, const WaterlineForm& form) {
   RiskaInputs in;
   in.L = c.bow.L, in.B = c.bow.B, in.T = c.bow.T, in.L_bow = c.bow.Lf, in.stem = c.bow.angles.stem;
-  in.L_par = hull.status == HullStatus::ok ? parallel_length(hull.mesh) : 0.0;
+  in.L_par = form.parallel;
   in.h = c.ice.h, in.V = c.V;
+  return in;
+}
+
+ChannelInputs channel_inputs(const Case& c, const WaterlineForm& form) {
+  ChannelInputs in;
+  in.L = c.bow.L, in.B = c.bow.B, in.T = c.bow.T;
+  in.L_bow = form.foreship, in.L_par = form.parallel, in.A_wf = form.fore_area;
+  in.waterline = c.bow.angles.waterline, in.stem = c.bow.angles.stem, in.buttock = c.bow.angles.buttock;
   return in;
 }
 
@@ -55,8 +87,11 @@ Answers answers(const Case& c) {
   a.inputs = lindqvist_inputs(c);
   a.lindqvist = lindqvist(a.inputs);
   const Hull hull = make_hull(c);
-  a.riska_inputs = riska_inputs(c, hull);
+  const WaterlineForm form = hull.status == HullStatus::ok ? waterline_form(hull.mesh) : WaterlineForm{};
+  a.riska_inputs = riska_inputs(c, form);
   a.riska = riska_1997(a.riska_inputs);
+  a.channel_inputs = channel_inputs(c, form);
+  a.channel = fsicr_channel(a.channel_inputs);
   if (hull.status == HullStatus::ok) {
     a.cycle = run_cycle(c, hull.mesh, cycle_rule(Communicator::serial(), c));
   } else {
@@ -73,6 +108,29 @@ Json riska_json(const Answers& a) {
           {"bow_length_m", a.riska_inputs.L_bow},
           {"valid", a.riska.valid},
           {"reason", a.riska.reason}};
+}
+
+Json channel_json(const Answers& a) {
+  const ChannelInputs& in = a.channel_inputs;
+  Json classes = Json::object();
+  for (const ChannelClass& k : a.channel.classes)
+    classes[k.name] = {{"brash_ice_m", k.thickness}, {"resistance_N", k.resistance}};
+  return {{"classes", classes},
+          {"foreship_m", in.L_bow},
+          {"parallel_length_m", in.L_par},
+          {"foreship_waterline_area_m2", in.A_wf},
+          {"valid", a.channel.valid},
+          {"reason", a.channel.reason},
+          {"caution", a.channel.caution}};
+}
+
+std::string channel_for_people(const ChannelResult& channel) {
+  std::string text = "\nAnother thing: a channel of brash ice at 5 kn (Finnish-Swedish ice class rules), kN:";
+  for (const ChannelClass& k : channel.classes)
+    text += (&k == &channel.classes.front() ? " " : ", ") + k.name + " " + decimals(k.resistance / 1e3, 1);
+  text += channel.valid ? "\n" : " -\nchannel: " + channel.reason + "\n";
+  if (!channel.caution.empty()) text += "caution: " + channel.caution + "\n";
+  return text;
 }
 
 std::string for_people(const std::string& design, const Answers& a) {
@@ -102,7 +160,7 @@ std::string for_people(const std::string& design, const Answers& a) {
   if (!r.caution.empty()) text += "caution: " + r.caution + "\n";
   if (!a.riska.valid) text += "Riska: " + a.riska.reason + "\n";
   if (!sails) text += "cycle: " + o.reason + "\n";
-  return text;
+  return text + channel_for_people(a.channel);
 }
 
 }  // namespace
@@ -115,6 +173,7 @@ int run_resistance(const Communicator&, const Arguments& arguments) {
     std::cout << Json{{"design", chosen.design.name},
                       {"lindqvist", lindqvist_json(a.lindqvist, a.inputs)},
                       {"riska", riska_json(a)},
+                      {"fsicr_channel", channel_json(a)},
                       {"cycle", cycle_json(a.cycle, c, c.cycle.rule)},
                       {"inputs", lindqvist_inputs_json(a.inputs)}}
                      .dump(2, ' ', false, Json::error_handler_t::replace)

@@ -317,6 +317,24 @@ class HullAndResistance(ProgramTest):
         self.assertAlmostEqual(paper["breaking_N"] / 1.1175e6, 1, delta=2e-3)
         self.assertIn("crushing", self.expect(0, "resistance", TINY).stdout)
 
+    def test_the_channel_rule_sees_the_ships_own_waterline(self):
+        said = json.loads(self.expect(0, "resistance", STUDIES / "paper_conventional.json", "--json").stdout)
+        channel, bow = said["fsicr_channel"], said["lindqvist"]["inputs"]
+        self.assertTrue(channel["valid"])
+        # A waterline of 22 deg: more area than the triangle of its half beam, less than the whole rectangle.
+        self.assertGreater(channel["foreship_waterline_area_m2"], 0.5 * channel["foreship_m"] * bow["B_m"])
+        self.assertLess(channel["foreship_waterline_area_m2"], channel["foreship_m"] * bow["B_m"])
+        load = [channel["classes"][name]["resistance_N"] for name in ("IA Super", "IA", "IB", "IC")]
+        self.assertEqual(load, sorted(load, reverse=True))
+        self.assertIn("stem angle, deg is 24.35, the rule was validated from 25 to 90", channel["caution"])
+        self.assertIn("a channel of brash ice at 5 kn", self.expect(0, "resistance", STUDIES / "paper_conventional.json").stdout)
+
+    def test_a_number_as_text_is_written_as_json_has_it(self):
+        for wrong, right in ((".77", "0.77"), ("-.5", "-0.5"), ("1.", "1.0"), ("+3", "3"), ("0,8", "0.8"), ("1.e5", "1.0e5")):
+            said = self.expect(2, "check", TINY, "--set", f"/ice/thickness_m={wrong}").stderr
+            self.assertIn(f"(write {right})", said)
+            json.loads(right)
+
 
 class Stored(ProgramTest):
     """What a study directory says afterwards, of an optimiser's designs too."""

@@ -52,6 +52,22 @@ TEST_CASE("the best design is told from the others, or the others are counted") 
   CHECK(tied.next.find("repeats") != std::string::npos);
 }
 
+TEST_CASE("confirmed by few simulations the order is told, and the level is said to be open") {
+  StudyResults study = study_of({measured("baseline", 0.95e6, 2.8e6), measured("b", 0.8e6, 2.4e6)});
+  for (RankedDesign& row : study.ranking.rows) row.difference_ci95 = 3e4;  // of the cycle alone
+  study.ranking.confirmed.designs = 2;
+  const Verdict words = verdict(study);
+  CHECK(words.ranks);
+  CHECK(says_in(words.headline, "b has the lowest mean ice load"));
+  CHECK(says_in(words.headline, "16\u00a0% below the baseline (p < 0.001)"));
+  CHECK(
+      says(words,
+           "The level of the loads is not known: its interval is wider than the mean after 2 simulations."));
+  CHECK(says_in(words.next, "confirm.best"));
+  for (RankedDesign& row : study.ranking.rows) row.difference_ci95 = 1.2e6;  // nor the order
+  CHECK_FALSE(verdict(study).ranks);
+}
+
 TEST_CASE("an interval that is not known is not made up") {
   const Verdict words = verdict(study_of({measured("a", 8.125e5, std::nan(""))}));
   CHECK(words.headline == "a has the lowest mean ice load, 0.812\u00a0MN.");

@@ -94,7 +94,15 @@ std::string number_meant(const std::string& text) {
   std::strtod(number.c_str(), &end);
   const bool plain = number.find_first_not_of("+-.0123456789eE") == std::string::npos;
   const bool whole = plain && number.size() < 40 && *end == '\0' && end != number.c_str();
-  return whole ? " (write " + number + ")" : "";
+  if (!whole) return "";
+  // JSON asks for a digit on both sides of the point and has no plus.
+  if (number[0] == '+') number.erase(0, 1);
+  const std::size_t sign = number[0] == '-' ? 1 : 0;
+  if (number[sign] == '.') number.insert(sign, "0");
+  const std::size_t point = number.find('.');
+  if (point != std::string::npos && (point + 1 == number.size() || !std::isdigit(number[point + 1])))
+    number.insert(point + 1, "0");
+  return " (write " + number + ")";
 }
 
 std::string brief(double value) {
