@@ -1,0 +1,50 @@
+// Studies whose designs an optimiser proposes.
+#include <catch2/catch.hpp>
+
+#include "tests/support/fake_runs.h"
+
+using namespace icebow;
+
+TEST_CASE("the optimiser starts from the stored baseline and finds the best bow") {
+  const TemporaryDirectory directory;
+  RecordingObserver observer;
+  StudySpec spec = fake_study(optimisation);
+  spec.method.max_evaluations = 120;
+  const StudyOutcome outcome = run(spec, fake_settings(directory / "s"), observer);
+  CHECK(observer.planned.proposals == 119);
+  const Ranking ranking =
+      rank_designs(Store::open_read_only(directory / "s/results.sqlite").all(), "mean_load");
+  REQUIRE(ranking.rows[0].evaluation.name == outcome.best);
+  CHECK(ranking.rows[0].evaluation.parameters.at("/bow/stem_deg") == Approx(20).margin(0.5));
+  CHECK(ranking.rows[0].evaluation.parameters.at("/bow/waterline_deg") == Approx(30).margin(0.5));
+  CHECK(observer.started.size() <= 120);  // the first of its points is the baseline
+  int of_start = 0;
+  for (const Evaluation& e : observer.finished) {
+    of_start += e.parameters.at("/bow/stem_deg") == 25 && e.parameters.at("/bow/waterline_deg") == 22;
+  }
+  CHECK(of_start == 1);
+}
+
+TEST_CASE("an optimiser that starts beyond what is feasible comes back") {
+  for (const std::string algorithm : {"cobyla", "sbplx"}) {
+    CAPTURE(algorithm);
+    const TemporaryDirectory directory;
+    StudySpec spec =
+        fake_study(R"({"bow": {"stem_deg": 45}, "method": {"type": "optimise", "max_evaluations": 60,
+      "variables": {"/bow/stem_deg": {"min": 15, "max": 60}, "/bow/waterline_deg": {"min": 20, "max": 45}}}})");
+    spec.method.algorithm = algorithm;
+    const StudyOutcome outcome = run(spec, directory / "s");
+    const auto best = Store::open_read_only(directory / "s/results.sqlite").find_name(outcome.best);
+    REQUIRE(best);
+    CHECK(best->status == EvaluationStatus::ok);
+    CHECK(best->parameters.at("/bow/stem_deg") <= largest_fake_stem + 1e-9);
+  }
+}
+
+TEST_CASE("an optimiser's start is one of its points, and costs nothing where it is the baseline") {
+  CHECK(plan_study(fake_study(optimisation)).proposals == 29);  // the baseline is within the ranges
+  CHECK(plan_study(
+            fake_study(R"({"include_baseline": false, "method": {"type": "optimise", "max_evaluations": 30,
+    "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})"))
+            .proposals == 30);
+}
