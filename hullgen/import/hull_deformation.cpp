@@ -71,8 +71,8 @@ Slopes slopes_of(const BowAngles& a, double stem_in_beams) {
   return s;
 }
 
-Slopes slopes_of(const QuadMesh& mesh) {
-  const HullMeasurement m = measure_hull(mesh);
+Slopes slopes_of(const QuadMesh& mesh, const std::vector<int>& on_chords) {
+  const HullMeasurement m = measure_hull(mesh, on_chords);
   return slopes_of(m.angles, m.P0.x() / m.beam);
 }
 
@@ -80,14 +80,15 @@ Slopes slopes_of(const QuadMesh& mesh) {
 // soon.
 Controls solved(const ImportedHull& hull, const DeformationBox& box, const BowAngles& asked) {
   const double unit = 0.01 * hull.B;
-  const Slopes wanted = slopes_of(asked, 0.0), before = slopes_of(hull.mesh);
+  const Slopes wanted = slopes_of(asked, 0.0), before = slopes_of(hull.mesh, hull.on_chords);
   Eigen::Matrix<double, 5, controls> gradient;
   for (int k = 0; k < controls; ++k)
-    gradient.col(k) = (slopes_of(moved(hull.mesh, box, unit * Controls::Unit(k))) - before) / unit;
+    gradient.col(k) =
+        (slopes_of(moved(hull.mesh, box, unit * Controls::Unit(k)), hull.on_chords) - before) / unit;
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse{Eigen::MatrixXd(gradient)};
   Controls d = inverse.solve(wanted - before);
   for (int step = 0; step < 6; ++step) {
-    const Slopes off = wanted - slopes_of(moved(hull.mesh, box, d));
+    const Slopes off = wanted - slopes_of(moved(hull.mesh, box, d), hull.on_chords);
     if (!off.allFinite() || off.cwiseAbs().maxCoeff() < 1e-9) break;
     d += inverse.solve(off);
   }
@@ -125,7 +126,7 @@ Hull refused(const ImportedHull& imported, const BowAngles& asked, const std::st
 
 Hull measured(const ImportedHull& imported, const QuadMesh& mesh, const BowAngles& asked) {
   Hull hull = as_hull(imported);
-  const HullMeasurement m = measure_hull(mesh);
+  const HullMeasurement m = measure_hull(mesh, imported.on_chords);
   hull.requested = asked;
   hull.mesh = mesh;
   hull.measured = m.angles;

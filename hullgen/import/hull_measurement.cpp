@@ -22,6 +22,9 @@ constexpr double window_share = 1.0 / 40.0;  // of the beam
 constexpr double same_share = 1.0 / 200.0;
 constexpr double reach_share =
     1.0 / 4.0;  // of the beam: how far points may be that say what the surface does
+// A share of that again. A cut crosses panels this near to a point of the mesh practically on the surface:
+// points that were moved a little, to close a gap, make a row as before.
+constexpr double practically = 0.05;
 constexpr int y_axis = 1, z_axis = 2;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double knuckle = radians(20.0), slight_knuckle = radians(1.0);
@@ -41,13 +44,15 @@ struct Cut {
   Row before, after;
 };
 
-// A plane cut and the mesh's points in it.
+// A plane cut and the mesh's points in it, without those on chords.
 class PlaneCut {
  public:
-  PlaneCut(const QuadMesh& mesh, int axis, double at, double same)
-      : loops_(slice(mesh, axis, at)), same_(same) {
-    for (const Vec3& p : mesh.points)
-      if (std::abs(p[axis] - at) <= 1e-4 * same) points_.push_back(p);
+  PlaneCut(const QuadMesh& mesh, const ChordPoints& on_chords, int axis, double at, double same)
+      : same_(same) {
+    for (const Polyline& loop : slice(mesh, axis, at)) loops_.push_back(on_chords.without(loop));
+    for (std::size_t k = 0; k < mesh.points.size(); ++k)
+      if (std::abs(mesh.points[k][axis] - at) <= practically * same && !on_chords.has(static_cast<int>(k)))
+        points_.push_back(mesh.points[k]);
     std::sort(points_.begin(), points_.end(), [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); });
   }
 
@@ -56,7 +61,7 @@ class PlaneCut {
 
  private:
   bool is_point(const Vec3& p) const {
-    const double near = 1e-3 * same_;
+    const double near = practically * same_;
     auto k = std::lower_bound(points_.begin(), points_.end(), p.x() - near,
                               [](const Vec3& q, double value) { return q.x() < value; });
     for (; k != points_.end() && k->x() <= p.x() + near; ++k)
@@ -75,10 +80,11 @@ class PlaneCut {
 Row PlaneCut::walk(const Polyline& loop, std::size_t from, int step, int along, double at) const {
   const std::size_t n = loop.size() - 1;  // the last point is the first again
   Row row;
-  double reached = -1.0;
+  double reached = -1.0, side = 0.0;  // below or above `at`
   for (std::size_t k = 0, i = from; k < n; ++k, i = (i + n + step) % n) {
-    const double away = std::abs(loop[i][along] - at);
-    if (away < reached - same_) break;
+    const double off = loop[i][along] - at, away = std::abs(off);
+    if (away < reached - same_ || (away > same_ && off * side < 0.0)) break;
+    if (away > same_) side = off;
     if (away > reached + same_ ||
         (away > reached && !row.empty() && !row.back().point && is_point(loop[i]))) {
       if (away <= reached + same_) row.pop_back();  // a point of the mesh beside a crossing says more
@@ -192,6 +198,21 @@ double slope(Row row, double at, double window) {
   return parabola[1] / window;
 }
 
+// The same by the cubic through the four nearest samples: how far it is off the parabola's says how coarse
+// the samples are. NaN where the window has more than three, or there are no four.
+double coarse_slope(Row row, double at, double window) {
+  row = sorted_by_distance(std::move(row), at);
+  if (row.size() < 4 || std::abs(row[3].along - at) <= window) return none;
+  Eigen::Matrix4d powers;
+  Eigen::Vector4d s;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double d = (row[k].along - at) / window;
+    powers.row(static_cast<Eigen::Index>(k)) << 1.0, d, d * d, d * d * d;
+    s[static_cast<Eigen::Index>(k)] = row[k].s - row[0].s;
+  }
+  return powers.colPivHouseholderQr().solve(s)[1] / window;
+}
+
 void require(bool holds, const char* what, const QuadMesh& mesh) {
   if (holds) return;
   const Box box = bounding_box(mesh);
@@ -224,6 +245,7 @@ class Measuring {
   void read_stem(const Cut& profile);
   void read_entrance(const Cut& entrance);
   void read_quarter(const Cut& waterline, const Cut& buttock);
+  void take_quarter_spread(double coarse_quarter, double waterline, double flare);
   SurfaceNormal normal(const Vec3& at, const Vec3& seed, double inboard, bool curvature_jumps) const {
     return normals_.at({at, seed, inboard, reach_share * result_.beam, curvature_jumps});
   }
@@ -281,6 +303,13 @@ void Measuring::read_entrance(const Cut& entrance) {
   if (angle == std::atan2(1.0, 0.0)) slopes_.waterline = 0.0;
   result_.spread.waterline = fit.found && !cut ? fit.spread : 0.0;
   take_spread(result_.spread.waterline, angle, cut ? from_fit : none);
+  if (cut) take_spread(result_.spread.waterline, angle, std::atan2(1.0, coarse_slope(row, 0.0, window_)));
+}
+
+// From the waterline's slope by coarser samples.
+void Measuring::take_quarter_spread(double coarse_quarter, double waterline, double flare) {
+  take_spread(result_.spread_at_quarter_beam, waterline, std::atan2(1.0, coarse_quarter));
+  take_spread(result_.spread.flare, flare, std::atan2(slopes_.buttock + 0.0, coarse_quarter + 0.0));
 }
 
 void Measuring::read_quarter(const Cut& waterline, const Cut& buttock) {
@@ -289,15 +318,22 @@ void Measuring::read_quarter(const Cut& waterline, const Cut& buttock) {
   const Row up = trusted(buttock.before), down = trusted(buttock.after);
   const Row run = both(up, down, same_);
   const SurfaceNormal fit = normal(waterline.place, waterline.place, -1e300, true);
-  const double quarter = 0.5 * (slope(fore, yq, window_) + slope(aft, yq, window_));
+  const double from_fore = slope(fore, yq, window_), from_aft = slope(aft, yq, window_);
+  const double mean = 0.5 * (from_fore + from_aft);
+  // A side of which a knuckle leaves one chord says less than one with a curve.
+  const bool fore_alone = fore.size() >= 3 && aft.size() < 3, aft_alone = aft.size() >= 3 && fore.size() < 3;
+  const double quarter = fore_alone ? from_fore : aft_alone ? from_aft : mean;
   const double cot_buttock = -slope(run, 0.0, window_);
   const bool lines = fore.size() >= 2 && aft.size() >= 2 && run.size() >= 3;
-  const bool cut =
-      (on_points(fore) && on_points(aft) && on_points(run)) || !fit.found || (fit.points <= 4 && lines);
+  const bool rows = (on_points(fore) && (on_points(aft) || fore_alone)) || (on_points(aft) && aft_alone);
+  const bool cut = (rows && lines && on_points(run)) || !fit.found || (fit.points <= 4 && lines);
   slopes_.quarter = cut || std::abs(fit.normal.x()) < 1e-9 ? quarter : along_y(fit.normal);
   slopes_.buttock = cut || std::abs(fit.normal.x()) < 1e-9 ? cot_buttock : along_z(fit.normal);
   const double a = std::atan2(1.0, slopes_.quarter), g = std::atan2(1.0, slopes_.buttock),
                b = std::atan2(slopes_.buttock + 0.0, slopes_.quarter + 0.0);
+  if (cut) take_quarter_spread(mean, a, b);
+  if (cut)
+    take_quarter_spread(0.5 * (coarse_slope(fore, yq, window_) + coarse_slope(aft, yq, window_)), a, b);
   const Vec3 n = fit.normal;
   if (fit.found && cut) {
     take_spread(result_.spread_at_quarter_beam, a, std::atan2(n.x(), n.y()));
@@ -315,15 +351,16 @@ HullMeasurement Measuring::measured() {
   const double yq = result_.beam / 4.0;
   window_ = window_share * result_.beam;
   same_ = same_share * result_.beam;
-  side_ = port_side_from_stem(waterline);
+  const ChordPoints& on_chords = normals_.on_chords();
+  side_ = on_chords.without(port_side_from_stem(waterline));
   require(!side_.empty(), "the waterline does not meet the centre plane", mesh_);
   bar_ = stem_bar(side_, result_.beam);
   result_.stem_radius = bar_.radius;
-  const PlaneCut level(mesh_, z_axis, 0.0, same_);
+  const PlaneCut level(mesh_, on_chords, z_axis, 0.0, same_);
   const Cut entrance = level.crossing(y_axis, 0.0, side_.front().x());
-  const Cut profile = PlaneCut(mesh_, y_axis, 0.0, same_).crossing(z_axis, 0.0, side_.front().x());
+  const Cut profile = PlaneCut(mesh_, on_chords, y_axis, 0.0, same_).crossing(z_axis, 0.0, side_.front().x());
   const Cut quarter = level.crossing(y_axis, yq, outboard_of(yq).x());
-  const Cut buttock = PlaneCut(mesh_, y_axis, yq, same_).crossing(z_axis, 0.0, quarter.place.x());
+  const Cut buttock = PlaneCut(mesh_, on_chords, y_axis, yq, same_).crossing(z_axis, 0.0, quarter.place.x());
   require(profile.found && entrance.found && buttock.found && quarter.found,
           "the waterline does not meet the centre plane or the plane at B/4", mesh_);
   result_.P0 = entrance.place;
@@ -340,8 +377,8 @@ HullMeasurement Measuring::measured() {
   return result_;
 }
 
-HullMeasurement measured_port(const QuadMesh& mesh) {
-  const SurfaceNormals normals(mesh);
+HullMeasurement measured_port(const QuadMesh& mesh, const std::vector<int>& on_chords) {
+  const SurfaceNormals normals(mesh, on_chords);
   return Measuring(mesh, normals).measured();
 }
 
@@ -357,13 +394,13 @@ QuadMesh mirror_image(QuadMesh mesh) {
 
 }  // namespace
 
-HullMeasurement measure_hull(const QuadMesh& mesh) {
-  return measured_port(mesh);
+HullMeasurement measure_hull(const QuadMesh& mesh, const std::vector<int>& on_chords) {
+  return measured_port(mesh, on_chords);
 }
 
-HullMeasurement measure_both_sides(const QuadMesh& mesh) {
-  HullMeasurement port = measured_port(mesh);
-  port.starboard = measured_port(mirror_image(mesh)).angles;
+HullMeasurement measure_both_sides(const QuadMesh& mesh, const std::vector<int>& on_chords) {
+  HullMeasurement port = measured_port(mesh, on_chords);
+  port.starboard = measured_port(mirror_image(mesh), on_chords).angles;
   const auto widen = [](double& spread, double a, double b) {
     if (std::isfinite(a) && std::isfinite(b)) spread = std::max(spread, 0.5 * std::abs(a - b));
   };

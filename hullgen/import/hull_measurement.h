@@ -1,6 +1,8 @@
 // The angles of any hull from plane cuts of its mesh: no vertex rows, no knowledge of how it was made.
 #pragma once
 
+#include <vector>
+
 #include "hullgen/bow/bow.h"
 
 namespace icebow {
@@ -25,11 +27,11 @@ struct HullMeasurement {
 // at B/4. Otherwise entrance, buttock and flare come from the normal of the surface fitted to the mesh's
 // points (surface_normal.h), for a cut through panels lies off the surface. With a bar at the stem the
 // entrance is that of the sides outside it, extended to the centre plane. Vertical is a flare of 0. An angle
-// that cannot be read is NaN. Throws InputError where the waterline does not cut the hull, or the bow has no
-// profile on it.
-HullMeasurement measure_hull(const QuadMesh& mesh);
+// that cannot be read is NaN. Points `on_chords` (chord_points.h) are not asked. Throws InputError where the
+// waterline does not cut the hull, or the bow has no profile on it.
+HullMeasurement measure_hull(const QuadMesh& mesh, const std::vector<int>& on_chords = {});
 
 // With starboard's angles too, and a spread that covers half of what the sides differ by.
-HullMeasurement measure_both_sides(const QuadMesh& mesh);
+HullMeasurement measure_both_sides(const QuadMesh& mesh, const std::vector<int>& on_chords = {});
 
 }  // namespace icebow

@@ -51,18 +51,18 @@ const std::vector<double>& station_shares() {
   return shares;
 }
 
-WaterlineAngles angles_along_waterline(const QuadMesh& mesh, double z) {
+WaterlineAngles angles_along_waterline(const QuadMesh& mesh, double z, const std::vector<int>& on_chords) {
   WaterlineAngles result;
   result.z = z;
   const Waterline waterline = waterline_at(mesh, z);
-  const Polyline side = port_side_from_stem(waterline);
+  const SurfaceNormals normals(mesh, on_chords);
+  const Polyline side = normals.on_chords().without(port_side_from_stem(waterline));
   if (side.size() < 2) return result;
   const double half_breadth = side.back().y(), beam = waterline.port - waterline.starboard;
   const double fore = side.front().x();
   result.bow_length = fore - shoulder(side, full_breadth * half_breadth);
   if (!(result.bow_length > 0.0)) return result;
   const StemBar bar = stem_bar(side, beam);
-  const SurfaceNormals normals(mesh);
   for (const double share : station_shares()) {
     const Vec3 at = place_at(side, fore - share * result.bow_length);
     const double inboard = at.y() > bar.half_width ? bar.half_width * (1.0 - 1e-6) : -1e300;

@@ -30,7 +30,9 @@ struct WaterlineAngles {
 const std::vector<double>& station_shares();
 
 // At the height z [m] of a closed hull about y = 0; the normals are those of the surface fitted to the mesh's
-// points (surface_normal.h). No stations where the height does not cut the hull on its centre plane.
-WaterlineAngles angles_along_waterline(const QuadMesh& mesh, double z);
+// points (surface_normal.h), but those on chords (chord_points.h). No stations where the height does not cut
+// the hull on its centre plane.
+WaterlineAngles angles_along_waterline(const QuadMesh& mesh, double z,
+                                       const std::vector<int>& on_chords = {});
 
 }  // namespace icebow

@@ -12,6 +12,7 @@
 #include "geometry/mesh_slice.h"
 #include "hullgen/cad/cad_import.h"
 #include "hullgen/hydro/hydrostatics.h"
+#include "hullgen/import/chord_points.h"
 #include "hullgen/import/offsets.h"
 #include "hullgen/import/waterline.h"
 #include "hullgen/mesh/mesh_check.h"
@@ -195,11 +196,11 @@ void mark_angles(const BowAngles& a, MeshRepairs& repairs) {
   mark("flare", a.flare, radians(-1e-6));
 }
 
-HullMeasurement measured(const QuadMesh& mesh, const std::string& file, const Waterline& w,
-                         MeshRepairs& repairs) {
+HullMeasurement measured(const QuadMesh& mesh, const std::vector<int>& on_chords, const std::string& file,
+                         const Waterline& w, MeshRepairs& repairs) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   try {
-    HullMeasurement m = measure_both_sides(mesh);
+    HullMeasurement m = measure_both_sides(mesh, on_chords);
     mark_angles(m.angles, repairs);
     return m;
   } catch (const InputError& error) {
@@ -291,6 +292,7 @@ ImportedHull hull_of_mesh(QuadMesh mesh, const std::string& file, const ImportCh
   hull.file = file;
   hull.repairs = repairs;
   hull.mesh = solid(std::move(mesh), file, choice, hull.repairs);
+  hull.on_chords = points_at(hull.mesh, hull.repairs.on_edges);
   const Waterline waterline = waterline_at(hull.mesh, 0.0);
   refuse_inside_of_boat(waterline, file, hull.repairs);
   if (waterline.islands > 0 && waterline.area > 0.0)
@@ -299,7 +301,7 @@ ImportedHull hull_of_mesh(QuadMesh mesh, const std::string& file, const ImportCh
              waterline.islands, waterline.islands == 1 ? "loop" : "loops"));
   if (!choice.mirror) centre(hull.mesh, waterline, hull.repairs);
   if (choice.progress) choice.progress("measuring", 0.0);
-  hull.measured = measured(hull.mesh, file, waterline, hull.repairs);
+  hull.measured = measured(hull.mesh, hull.on_chords, file, waterline, hull.repairs);
   hull.stem = hull.measured.P0.x();
   for (Vec3& p : hull.mesh.points) p.x() -= hull.stem;
   hull.measured.P0.x() -= hull.stem;

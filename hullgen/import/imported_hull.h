@@ -11,16 +11,17 @@
 namespace icebow {
 
 struct ImportedHull {
-  std::string file;          // as it was named
-  QuadMesh mesh;             // closed, outward, free of self-intersections; origin at the stem
-  HullMeasurement measured;  // in the mesh's frame: P0 is the origin
-  MeshRepairs repairs;       // that were needed
-  double stem = 0.0;         //!< where the file has the stem, along its forward axis [m]
-  double L = 0.0;            //!< length of the waterline, stem to its aft end [m]
-  double B = 0.0;            //!< beam of the waterline [m]
-  double T = 0.0;            //!< draught, to the mesh's lowest point [m]
-  double D = 0.0;            //!< depth, the mesh's lowest to its highest point [m]
-  double Lf = 0.0;           //!< stem to where the waterline first has 99.5 % of its beam [m]
+  std::string file;            // as it was named
+  QuadMesh mesh;               // closed, outward, free of self-intersections; origin at the stem
+  HullMeasurement measured;    // in the mesh's frame: P0 is the origin
+  MeshRepairs repairs;         // that were needed
+  std::vector<int> on_chords;  // points of the mesh that lie on no surface (chord_points.h)
+  double stem = 0.0;           //!< where the file has the stem, along its forward axis [m]
+  double L = 0.0;              //!< length of the waterline, stem to its aft end [m]
+  double B = 0.0;              //!< beam of the waterline [m]
+  double T = 0.0;              //!< draught, to the mesh's lowest point [m]
+  double D = 0.0;              //!< depth, the mesh's lowest to its highest point [m]
+  double Lf = 0.0;             //!< stem to where the waterline first has 99.5 % of its beam [m]
 };
 
 struct ImportChoice {

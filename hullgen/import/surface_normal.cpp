@@ -64,8 +64,14 @@ struct Fit {
 
 class Fitter {
  public:
-  Fitter(const QuadMesh& mesh, const Local& local, const Neighbourhood& where, int seed)
-      : mesh_(mesh), local_(local), where_(where), seed_(seed), chart_(chart_for(local.normals[seed])) {}
+  Fitter(const QuadMesh& mesh, const ChordPoints& on_chords, const Local& local, const Neighbourhood& where,
+         int seed)
+      : mesh_(mesh),
+        on_chords_(on_chords),
+        local_(local),
+        where_(where),
+        seed_(seed),
+        chart_(chart_for(local.normals[seed])) {}
 
   // The most points, of `most` down to the fewest a quadric needs, that it fits well; otherwise those it fits
   // best.
@@ -121,7 +127,7 @@ class Fitter {
     std::vector<std::pair<double, int>> sorted;
     for (const int k : points) {
       const Vec3 d = mesh_.points[k] - where_.at;
-      if (mesh_.points[k].y() < where_.inboard) continue;
+      if (mesh_.points[k].y() < where_.inboard || on_chords_.has(k)) continue;
       sorted.push_back({std::hypot(d[chart_.u], d[chart_.v]), k});
     }
     std::sort(sorted.begin(), sorted.end());
@@ -188,6 +194,7 @@ class Fitter {
   }
 
   const QuadMesh& mesh_;
+  const ChordPoints& on_chords_;
   const Local& local_;
   const Neighbourhood& where_;
   int seed_;
@@ -200,7 +207,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-SurfaceNormals::SurfaceNormals(const QuadMesh& mesh) : mesh_(mesh), facets_(triangles(mesh)) {}
+SurfaceNormals::SurfaceNormals(const QuadMesh& mesh, const std::vector<int>& on_chords)
+    : mesh_(mesh), facets_(triangles(mesh)), on_chords_(mesh, on_chords) {}
 
 SurfaceNormal SurfaceNormals::at(const Neighbourhood& where) const {
   const auto& p = mesh_.points;
@@ -222,7 +230,7 @@ SurfaceNormal SurfaceNormals::at(const Neighbourhood& where) const {
   }
   SurfaceNormal result;
   if (seed < 0) return result;
-  const Fitter fitter(mesh_, local, where, seed);
+  const Fitter fitter(mesh_, on_chords_, local, where, seed);
   Fit best;
   double knuckle = knuckles[0];
   for (const double limit : knuckles) {

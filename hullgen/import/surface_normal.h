@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/quad_mesh.h"
+#include "hullgen/import/chord_points.h"
 
 namespace icebow {
 
@@ -30,15 +31,18 @@ struct Neighbourhood {
 // from `seed` without crossing a knuckle: of the limits 25, 12, 6, 3 and 1.5 deg between panels the widest is
 // taken that leaves 0.3 % or less. A seventh term is the change of curvature with height, or the jump of
 // curvature across y where that is said. A flat panel with few points is its own plane. Mesh points lie on
-// the true surface, unlike cuts through panels.
+// the true surface, unlike cuts through panels, and unlike points on chords, which are not asked.
 class SurfaceNormals {
  public:
-  explicit SurfaceNormals(const QuadMesh& mesh);
+  // `on_chords`: numbers of the mesh's points on chords (chord_points.h).
+  SurfaceNormals(const QuadMesh& mesh, const std::vector<int>& on_chords);
   SurfaceNormal at(const Neighbourhood& where) const;
+  const ChordPoints& on_chords() const { return on_chords_; }
 
  private:
   const QuadMesh& mesh_;
   std::vector<std::array<int, 3>> facets_;
+  ChordPoints on_chords_;
 };
 
 }  // namespace icebow

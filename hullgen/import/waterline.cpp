@@ -9,7 +9,9 @@
 namespace icebow {
 namespace {
 
-constexpr double turn_at_bar = radians(4.0);  // more than a chord of a fair waterline turns against its fit
+// More than a chord of a fair waterline turns against its fit; of coarse panels, which turn more from one to
+// the next, a bar is told only by a turn that stands out among theirs.
+constexpr double turn_at_bar = radians(4.0), stands_out = 1.5;
 constexpr double sharpest_told = radians(75.0);  // blunter sides meet too flatly to tell a bar from the bow
 
 double signed_area(const Polyline& loop) {
@@ -30,14 +32,14 @@ bool inside(const Polyline& loop, const Vec3& p) {
   return in;
 }
 
-// s against y: a parabola, or a line where there are few points.
+// s against y: a parabola, or a line through two points.
 struct Side {
   double s0 = 0.0, slope = 0.0, curve = 0.0;
   double heading(double y) const { return std::atan2(1.0, slope + 2.0 * curve * y); }
 };
 Side fitted(const Polyline& side, std::size_t from, std::size_t to) {
   const auto n = static_cast<Eigen::Index>(to - from);
-  const int terms = n >= 4 ? 3 : 2;
+  const int terms = n >= 3 ? 3 : 2;
   const double scale = side[to - 1].y();
   Eigen::MatrixXd a(n, terms);
   Eigen::VectorXd s(n);
@@ -111,6 +113,23 @@ Polyline port_side_from_stem(const Waterline& w) {
   return side;
 }
 
+// Of the chord from point k - 1 to k.
+double chord(const Polyline& side, std::size_t k) {
+  return std::atan2(side[k].y() - side[k - 1].y(), side[k - 1].x() - side[k].x());
+}
+double off_fit(const Polyline& side, std::size_t k, const Side& fit) {
+  return std::abs(chord(side, k) - fit.heading(0.5 * (side[k - 1].y() + side[k].y())));
+}
+
+// Whether a chord inboard of `from` leaves the fit of the sides by more than their own chords turn.
+bool stem_is_blunt(const Polyline& side, std::size_t from, std::size_t to, const Side& fit) {
+  double most = 0.0, turn = 0.0;
+  for (std::size_t k = 1; k <= from; ++k) most = std::max(most, off_fit(side, k, fit));
+  for (std::size_t k = from + 1; k + 1 < to; ++k)
+    turn = std::max(turn, std::abs(chord(side, k) - chord(side, k + 1)));
+  return most > std::max(turn_at_bar, stands_out * turn);
+}
+
 StemBar stem_bar(const Polyline& side, double beam) {
   StemBar bar;
   std::size_t to = std::min(std::max(first_beyond(side, beam / 8.0) + 1, std::size_t{4}), side.size());
@@ -122,11 +141,9 @@ StemBar stem_bar(const Polyline& side, double beam) {
     const Side fit = fitted(side, from, to);
     std::size_t k = from;
     for (; k > 0; --k) {
-      const Vec3 &p = side[k - 1], &q = side[k];
-      const double chord = std::atan2(q.y() - p.y(), p.x() - q.x());
-      if (std::abs(chord - fit.heading(0.5 * (p.y() + q.y()))) > turn_at_bar) break;
+      if (off_fit(side, k, fit) > turn_at_bar) break;
     }
-    if (k == 0) return bar;  // fair up to the centre plane
+    if (k == 0 || !stem_is_blunt(side, from, to, fit)) return bar;  // fair up to the centre plane
     if (k == from && round > 0) break;
     from = std::max<std::size_t>(k, 1);
     if (to < from + 2) return bar;

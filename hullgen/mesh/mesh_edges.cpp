@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "geometry/union_find.h"
@@ -9,16 +10,29 @@
 namespace icebow {
 
 std::vector<EdgeUse> edge_uses(const QuadMesh& mesh) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(4 * mesh.quads.size());
-  for (std::size_t p = 0; p < mesh.quads.size(); ++p)
-    for (int k = 0; k < 4; ++k) {
-      const int a = mesh.quads[p][k], b = mesh.quads[p][(k + 1) % 4];
-      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), static_cast<int>(p), a < b});
-    }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.lower, a.upper, a.panel) < std::tie(b.lower, b.upper, b.panel);
-  });
+  // By their lower point first, counted: a point has a handful of edges, and those are sorted among
+  // themselves.
+  int last = -1;
+  for (const auto& q : mesh.quads) last = std::max(last, *std::max_element(q.begin(), q.end()));
+  std::vector<std::size_t> first(static_cast<std::size_t>(last + 2), 0);
+  const auto each = [&](auto visit) {
+    for (std::size_t p = 0; p < mesh.quads.size(); ++p)
+      for (int k = 0; k < 4; ++k) {
+        const int a = mesh.quads[p][k], b = mesh.quads[p][(k + 1) % 4];
+        if (a != b) visit(EdgeUse{std::min(a, b), std::max(a, b), static_cast<int>(p), a < b});
+      }
+  };
+  each([&](const EdgeUse& use) { ++first[static_cast<std::size_t>(use.lower) + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<EdgeUse> uses(first.back());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  each([&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.lower)]++] = use; });
+  for (std::size_t k = 0; k + 1 < first.size(); ++k)
+    std::sort(uses.begin() + static_cast<std::ptrdiff_t>(first[k]),
+              uses.begin() + static_cast<std::ptrdiff_t>(first[k + 1]),
+              [](const EdgeUse& a, const EdgeUse& b) {
+                return std::tie(a.upper, a.panel) < std::tie(b.upper, b.panel);
+              });
   return uses;
 }
 

@@ -284,12 +284,21 @@ bool is_half(const QuadMesh& mesh) {
   return false;
 }
 
+// First points that have a partner are joined with it, then those left over are put into edges wherever they
+// lie on one.
 void close_seams(QuadMesh& mesh, double distance, MeshRepairs& repairs) {
-  repairs.inserted += insert_corners(mesh, distance);
-  if (count_edges(mesh).open == 0) return;
+  const double widest = widest_gap * distance / 1e-6;
   SeamRepairs seams;
-  close_gaps(mesh, 3.0 * distance, widest_gap * distance / 1e-6, seams);
+  for (const double joinable : {widest, 0.0}) {
+    if (count_edges(mesh).open > 0)
+      for (const int k : insert_corners(mesh, distance, joinable)) {
+        ++seams.inserted;
+        seams.on_edges.push_back(mesh.points[static_cast<std::size_t>(k)]);
+      }
+    if (count_edges(mesh).open > 0) close_gaps(mesh, 3.0 * distance, widest, joinable, seams);
+  }
   repairs.inserted += seams.inserted;
+  repairs.on_edges.insert(repairs.on_edges.end(), seams.on_edges.begin(), seams.on_edges.end());
   repairs.gaps += seams.joined;
   repairs.gap = std::max(repairs.gap, seams.gap);
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
+
 namespace icebow {
 
 struct MeshRepairs {
@@ -15,8 +17,9 @@ struct MeshRepairs {
   int mirrored = 0;   // panels added on the other side of the centre plane
   int walls = 0;      // panels that stood between two bodies, on both
   int inserted = 0;   // points put into the edge of the panel beside them
-  int gaps = 0;       // points joined across gaps
-  double gap = 0.0;   //!< the widest of those [m]
+  std::vector<Vec3> on_edges;         //!< where those were that lay on the edge [m]
+  int gaps = 0;                       // points joined across gaps
+  double gap = 0.0;                   //!< the widest of those [m]
   int moved_to_centre = 0;            // points of a half hull's rim that were moved onto the centre plane
   double off_centre = 0.0;            //!< the farthest of those [m]
   int components = 0;                 // closed surfaces the mesh consists of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -49,14 +50,39 @@ class ByX {
   std::vector<std::pair<double, int>> sorted_;
 };
 
+// How far a point of an open edge may move: a third of the shortest edge of its panels.
+using Reach = std::unordered_map<int, double>;
+Reach reaches(const QuadMesh& mesh, const std::vector<int>& ends) {
+  Reach reach;
+  for (const int k : ends) reach[k] = 1e300;
+  for (const auto& q : mesh.quads)
+    for (int k = 0; k < 4; ++k) {
+      const int a = q[k], b = q[(k + 1) % 4];
+      if (a == b) continue;
+      for (const int end : {a, b})
+        if (const auto found = reach.find(end); found != reach.end())
+          found->second = std::min(found->second, (mesh.points[a] - mesh.points[b]).norm() / 3.0);
+    }
+  return reach;
+}
+
 struct Inserted {
   double share;  // of the way from a to b
   int point;
 };
 using Insertions = std::map<std::pair<int, int>, std::vector<Inserted>>;  // by edge, lower point first
 
-Insertions points_on_edges(const QuadMesh& mesh, const std::vector<OpenEdge>& open, double distance) {
-  const ByX ends(mesh.points, ends_of(open));
+// A point that may be joined with an end of the edge across a gap of `joinable` is left for that: put into
+// the edge beside its end it would make a sliver.
+Insertions points_on_edges(const QuadMesh& mesh, const std::vector<OpenEdge>& open, double distance,
+                           double joinable) {
+  const std::vector<int> all = ends_of(open);
+  const ByX ends(mesh.points, all);
+  const Reach reach = joinable > 0.0 ? reaches(mesh, all) : Reach();
+  const auto belongs_to = [&](int k, int end) {
+    return joinable > 0.0 &&
+           (mesh.points[k] - mesh.points[end]).norm() <= std::min({joinable, reach.at(k), reach.at(end)});
+  };
   Insertions result;
   for (const OpenEdge& e : open) {
     const Vec3 &a = mesh.points[e.a], &b = mesh.points[e.b];
@@ -68,7 +94,8 @@ Insertions points_on_edges(const QuadMesh& mesh, const std::vector<OpenEdge>& op
       if (std::find(own.begin(), own.end(), k) != own.end()) return;
       const double share = (mesh.points[k] - a).dot(b - a) / (length * length);
       if (share * length <= distance || (1.0 - share) * length <= distance) return;
-      if ((a + share * (b - a) - mesh.points[k]).norm() <= distance) on.push_back({share, k});
+      if ((a + share * (b - a) - mesh.points[k]).norm() > distance) return;
+      if (!belongs_to(k, e.a) && !belongs_to(k, e.b)) on.push_back({share, k});
     });
     if (on.empty()) continue;
     std::sort(on.begin(), on.end(), [](const Inserted& p, const Inserted& q) { return p.share < q.share; });
@@ -122,25 +149,10 @@ struct Pair {
   int a, b;
 };
 
-// How far a point of an open edge may move: a third of the shortest edge of its panels.
-std::unordered_map<int, double> reaches(const QuadMesh& mesh, const std::vector<int>& ends) {
-  std::unordered_map<int, double> reach;
-  for (const int k : ends) reach[k] = 1e300;
-  for (const auto& q : mesh.quads)
-    for (int k = 0; k < 4; ++k) {
-      const int a = q[k], b = q[(k + 1) % 4];
-      if (a == b) continue;
-      for (const int end : {a, b})
-        if (const auto found = reach.find(end); found != reach.end())
-          found->second = std::min(found->second, (mesh.points[a] - mesh.points[b]).norm() / 3.0);
-    }
-  return reach;
-}
-
 std::vector<Pair> near_pairs(const QuadMesh& mesh, double distance) {
   const std::vector<OpenEdge> open = open_edges(mesh);
   const std::vector<int> ends = ends_of(open);
-  const std::unordered_map<int, double> reach = reaches(mesh, ends);
+  const Reach reach = reaches(mesh, ends);
   std::set<std::pair<int, int>> neighbours;
   for (const OpenEdge& e : open) neighbours.insert(std::minmax(e.a, e.b));
   const ByX by_x(mesh.points, ends);
@@ -159,15 +171,17 @@ std::vector<Pair> near_pairs(const QuadMesh& mesh, double distance) {
 
 }  // namespace
 
-int insert_corners(QuadMesh& mesh, double distance) {
+std::vector<int> insert_corners(QuadMesh& mesh, double distance, double joinable) {
   const std::vector<OpenEdge> open = open_edges(mesh);
-  const Insertions inserted = points_on_edges(mesh, open, distance);
-  if (inserted.empty()) return 0;
+  const Insertions inserted = points_on_edges(mesh, open, distance, joinable);
+  if (inserted.empty()) return {};
   std::set<int> touched;
-  int count = 0;
+  std::vector<int> put_in;
   for (const OpenEdge& e : open)
-    if (const auto found = inserted.find({e.a, e.b}); found != inserted.end())
-      touched.insert(e.panel), count += static_cast<int>(found->second.size());
+    if (const auto found = inserted.find({e.a, e.b}); found != inserted.end()) {
+      touched.insert(e.panel);
+      for (const Inserted& i : found->second) put_in.push_back(i.point);
+    }
   QuadMesh result = with_panels(mesh, [&](std::size_t k) { return touched.count(static_cast<int>(k)) == 0; });
   for (const int panel : touched)
     for (const auto& half : halves(mesh, static_cast<std::size_t>(panel)))
@@ -176,37 +190,70 @@ int insert_corners(QuadMesh& mesh, double distance) {
         result.patch.push_back(mesh.patch[panel]);
       }
   mesh = std::move(result);
-  return count;
+  return put_in;
 }
 
-void close_gaps(QuadMesh& mesh, double narrowest, double widest, SeamRepairs& repairs) {
+namespace {
+
+// Points that were joined into which, with what that made.
+struct Joining {
+  QuadMesh mesh;
+  std::vector<Pair> pairs;
+  double gap = 0.0;  //!< the widest of them [m]
+};
+Joining with_joined(const QuadMesh& mesh, const std::vector<Pair>& pairs,
+                    const std::set<std::pair<int, int>>& barred) {
+  Joining result;
+  std::vector<int> into(mesh.points.size());
+  std::iota(into.begin(), into.end(), 0);
+  std::set<int> used;
+  for (const Pair& p : pairs) {
+    if (used.count(p.a) || used.count(p.b) || barred.count({p.a, p.b})) continue;
+    into[p.b] = p.a;
+    used.insert({p.a, p.b});
+    result.gap = std::max(result.gap, p.distance);
+    result.pairs.push_back(p);
+  }
+  result.mesh = result.pairs.empty() ? mesh : renumbered(mesh, into);
+  return result;
+}
+
+// The joinings whose point is an end of an edge of three panels.
+std::set<std::pair<int, int>> branching_pairs(const Joining& joining) {
+  std::set<int> ends;
+  for_each_edge(edge_uses(joining.mesh), [&](const EdgeUse* first, const EdgeUse* last) {
+    if (last - first > 2) ends.insert({first->lower, first->upper});
+  });
+  std::set<std::pair<int, int>> found;
+  for (const Pair& p : joining.pairs)
+    if (ends.count(p.a)) found.insert({p.a, p.b});
+  return found;
+}
+
+}  // namespace
+
+void close_gaps(QuadMesh& mesh, double narrowest, double widest, double joinable, SeamRepairs& repairs) {
   EdgeCount now = count_edges(mesh);
+  std::set<std::pair<int, int>> barred;
   for (double distance = narrowest; now.open > 0 && distance <= widest * 1.0001;
        distance *= std::sqrt(10.0)) {
     const std::vector<Pair> pairs = near_pairs(mesh, distance);
-    std::vector<int> into(mesh.points.size());
-    for (std::size_t k = 0; k < into.size(); ++k) into[k] = static_cast<int>(k);
-    std::set<int> used;
-    double gap = 0.0;
-    int joined = 0;
-    for (const Pair& p : pairs) {
-      if (used.count(p.a) || used.count(p.b)) continue;
-      into[p.b] = p.a;
-      used.insert({p.a, p.b});
-      gap = std::max(gap, p.distance);
-      ++joined;
+    Joining closed = with_joined(mesh, pairs, barred);
+    if (count_edges(closed.mesh).branching > now.branching) {
+      const auto wrong = branching_pairs(closed);
+      barred.insert(wrong.begin(), wrong.end());
+      closed = with_joined(mesh, pairs, barred);
     }
-    QuadMesh closed = joined > 0 ? renumbered(mesh, into) : mesh;
-    const int inserted = insert_corners(closed, distance);
-    const EdgeCount then = count_edges(closed);
+    const auto inserted = insert_corners(closed.mesh, distance, joinable).size();
+    const EdgeCount then = count_edges(closed.mesh);
+    const auto joined = closed.pairs.size();
     if (joined + inserted == 0 || then.open >= now.open || then.branching > now.branching) continue;
-    if (pairs.size() > static_cast<std::size_t>(joined))
-      distance /= std::sqrt(10.0);  // some are left at this width
-    mesh = std::move(closed);
+    if (pairs.size() > joined + barred.size()) distance /= std::sqrt(10.0);  // some are left at this width
+    mesh = std::move(closed.mesh);
     now = then;
-    repairs.joined += joined;
-    repairs.inserted += inserted;
-    repairs.gap = std::max({repairs.gap, gap, inserted > 0 ? distance : 0.0});
+    repairs.joined += static_cast<int>(joined);
+    repairs.inserted += static_cast<int>(inserted);
+    repairs.gap = std::max({repairs.gap, closed.gap, inserted > 0 ? distance : 0.0});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "base/text.h"
@@ -24,6 +25,8 @@ using Point = Kernel::Point_3;
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Tree = CGAL::AABB_tree<
     CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+
+constexpr double flap_share = 0.05;  // of all panels' area
 
 Point point(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
@@ -194,9 +197,36 @@ void part_touching_bodies(QuadMesh& mesh) {
   }
 }
 
+// Pieces that hang on one edge of the hull with a free edge of their own enclose nothing, wherever they are
+// seen from.
+void leave_out_flaps(QuadMesh& mesh, MeshRepairs& repairs) {
+  const EdgeCount before = count_edges(mesh);
+  int pieces = 0;
+  const std::vector<int> piece = pieces_between_branches(mesh, pieces);
+  std::vector<double> area(pieces, 0.0);
+  for (std::size_t k = 0; k < mesh.quads.size(); ++k) area[piece[k]] += panel_area(mesh, k);
+  std::vector<char> free_edge(pieces, 0);
+  for_each_edge(edge_uses(mesh), [&](const EdgeUse* first, const EdgeUse* last) {
+    if (last - first == 1) free_edge[piece[first->panel]] = 1;
+  });
+  const double most = flap_share * std::accumulate(area.begin(), area.end(), 0.0);
+  const auto flap = [&](std::size_t k) { return free_edge[piece[k]] && area[piece[k]] < most; };
+  QuadMesh rest = with_panels(mesh, [&](std::size_t k) { return !flap(k); });
+  const EdgeCount then = count_edges(rest);
+  if (then.branching >= before.branching || then.open > before.open) return;
+  const auto left = mesh.quads.size() - rest.quads.size();
+  repairs.notes.push_back(
+      left == 1
+          ? "1 panel that hangs on an edge of the hull, and encloses nothing, was left out"
+          : text("%zu panels that hang on edges of the hull, and enclose nothing, were left out", left));
+  mesh = std::move(rest);
+}
+
 }  // namespace
 
 void remove_inner_panels(QuadMesh& mesh, MeshRepairs& repairs) {
+  leave_out_flaps(mesh, repairs);
+  if (count_edges(mesh).branching == 0) return;
   const int before = count_edges(mesh).branching;
   int pieces = 0;
   const std::vector<int> piece = pieces_between_branches(mesh, pieces);

@@ -330,8 +330,9 @@ int run_measure(const Communicator&, const Arguments& arguments) {
   if (isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << std::flush;
   // The draft of an even keel is the same everywhere: x only says where trim would turn.
   report.hydrostatics = hydrostatics_report(mesh, {}, density);
-  report.upper = angles_along_waterline(mesh, 0.0);
-  report.lower = angles_along_waterline(mesh, lower_waterline(arguments, report.hull.T));
+  report.upper = angles_along_waterline(mesh, 0.0, report.hull.on_chords);
+  report.lower =
+      angles_along_waterline(mesh, lower_waterline(arguments, report.hull.T), report.hull.on_chords);
   report.form = form_at(mesh, 0.0, density);
   if (tonnes > 0.0) report.draft_for_displacement = {tonnes, draft_for_volume(mesh, 1e3 * tonnes / density)};
   write_outputs(report, arguments, density);

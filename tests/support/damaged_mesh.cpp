@@ -36,6 +36,10 @@ class Damage {
         {"bulkhead", &Damage::add_bulkhead},
         {"deckhouse", &Damage::add_deckhouse},
         {"all triangles", &Damage::triangulate},
+        {"coordinates in millimetres", &Damage::round_off},
+        {"panels with points of their own", &Damage::part_panels},
+        {"no deck", &Damage::open_deck},
+        {"one panel as two", &Damage::slice},
         {"all turned over", &Damage::turn_all}};
     std::set<std::size_t> chosen;
     const int wanted = 1 + below(3);
@@ -109,6 +113,61 @@ class Damage {
       for (int& c : q)
         if (c == was) c = own;
     }
+  }
+  void round_off() {
+    for (Vec3& p : mesh().points)
+      for (int k = 0; k < 3; ++k) p[k] = std::round(1e3 * p[k]) / 1e3;
+  }
+  void part_panels() {
+    std::vector<Vec3> own;
+    for (Quad& q : mesh().quads) {
+      const bool triangle = q[2] == q[3];
+      for (int k = 0; k < (triangle ? 3 : 4); ++k) {
+        own.push_back(mesh().points[q[k]]);
+        q[k] = static_cast<int>(own.size()) - 1;
+      }
+      if (triangle) q[3] = q[2];
+    }
+    mesh().points = std::move(own);
+  }
+  void open_deck() {
+    for (std::size_t k = mesh().quads.size(); k-- > 0;) {
+      const Quad& q = mesh().quads[k];
+      const auto& p = mesh().points;
+      const double top = lower_.z() + size_.z() - 1e-3;
+      if (p[q[0]].z() < top || p[q[1]].z() < top || p[q[2]].z() < top || p[q[3]].z() < top) continue;
+      mesh().quads.erase(mesh().quads.begin() + static_cast<std::ptrdiff_t>(k));
+      mesh().patch.erase(mesh().patch.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  // A panel cut in two, with the new points in the edges of its neighbours too, as a slicing program does it:
+  // those neighbours get five corners, which is two panels again.
+  void slice() {
+    for (int n = 1 + below(20); n > 0; --n) {
+      const std::size_t k = panel();
+      const Quad q = mesh().quads[k];
+      const auto beside = std::find_if(mesh().quads.begin(), mesh().quads.end(), [&](const Quad& o) {
+        for (int c = 0; c < 4; ++c)
+          if (o[c] == q[1] && o[(c + 1) % 4] == q[0]) return true;
+        return false;
+      });
+      if (beside == mesh().quads.end()) continue;
+      const auto other = beside - mesh().quads.begin();
+      const int middle = add_point(0.5 * (mesh().points[q[0]] + mesh().points[q[1]]));
+      for (const std::size_t own : {k, static_cast<std::size_t>(other)}) cut_at(own, q[0], q[1], middle);
+    }
+  }
+  void cut_at(std::size_t panel, int a, int b, int middle) {
+    Quad q = mesh().quads[panel];
+    const bool triangle = q[2] == q[3];
+    const int n = triangle ? 3 : 4;
+    int at = 0;
+    while (at < n && !((q[at] == a && q[(at + 1) % n] == b) || (q[at] == b && q[(at + 1) % n] == a))) ++at;
+    if (at == n) return;
+    std::rotate(q.begin(), q.begin() + at, q.begin() + n);
+    if (triangle) q[3] = q[2];
+    mesh().quads[panel] = triangle ? Quad{middle, q[1], q[2], q[2]} : Quad{middle, q[1], q[2], q[3]};
+    add(triangle ? Quad{q[0], middle, q[2], q[2]} : Quad{q[0], middle, q[3], q[3]});
   }
   void leave_out() {
     for (int n = 1 + below(3); n > 0; --n) {

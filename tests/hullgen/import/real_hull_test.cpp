@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/units.h"
+#include "hullgen/bow/bow_angles.h"
 #include "hullgen/hydro/hydrostatics.h"
 #include "hullgen/import/hull_stations.h"
 #include "hullgen/import/imported_hull.h"
@@ -80,6 +81,8 @@ void check_base(const ImportedHull& hull, double volume = base_volume) {
   CHECK(degrees(a.waterline) == Approx(21.801).margin(moved));
   CHECK(degrees(a.buttock) == Approx(26.565).margin(moved));
   CHECK(degrees(a.flare) == Approx(38.660).margin(moved));
+  CHECK(degrees(largest_difference(a, hull.measured.starboard)) < moved);
+  CHECK(degrees(hull.measured.spread.flare) < moved);
   CHECK(displaced_volume(hull.mesh, 0.0) ==
         Approx(volume).epsilon(1e-3));  // a half hull may be 2 mm off its centre plane
   CHECK(check_mesh(hull.mesh).ok());
@@ -103,6 +106,14 @@ TEST_CASE("a plane panel gives its plane") {
       CHECK(degrees(s.plate_slope) == Approx(90.0 - degrees(s.normal_flare)));
     }
   }
+}
+
+TEST_CASE("a shoulder and a transom beside the place are no part of the waterline's slope") {
+  // Every side panel cut along the diagonal that crosses the waterline, as an STL has them.
+  check_base(imported(points + "f 2 7 6\nf 2 6 1\nf 6 8 3\nf 6 3 1\nf 4 9 7\nf 4 7 2\nf 8 10 5\nf 8 5 3\n" +
+                      bottom + deck + transom));
+  check_base(imported(points + "f 2 7 1\nf 7 6 1\nf 6 8 1\nf 8 3 1\nf 4 9 2\nf 9 7 2\nf 8 10 3\nf 10 5 3\n" +
+                      bottom + deck + transom));
 }
 
 TEST_CASE("in any unit and direction the base is the same hull") {

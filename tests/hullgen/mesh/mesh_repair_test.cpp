@@ -167,7 +167,7 @@ TEST_CASE("a wall on an edge is left out, a hole in the bow is refused with its 
   wall.quads.push_back({q[0], q[1], tip, tip});
   wall.patch.push_back(Patch::other);
   CHECK(mended(wall, repairs).quads.size() == whole().quads.size());
-  CHECK_THAT(repairs.notes.at(0), Catch::Contains("1 panels of walls"));
+  CHECK_THAT(repairs.notes.at(0), Catch::Contains("1 panel that hangs on an edge"));
   QuadMesh open = whole();
   std::size_t kept = 0;
   for (std::size_t k = 0; k < open.quads.size(); ++k) {
