@@ -145,7 +145,7 @@ bool write_step(const std::string& path, const TopoDS_Solid& shape, const std::s
 bool write_iges(const std::string& path, const TopoDS_Solid& shape, const std::string& name,
                 const std::string& file_name) {
   IGESControl_Controller::Init();
-  IGESControl_Writer writer("M", 0);  // 0: trimmed surfaces, which more programs read than IGES solids
+  IGESControl_Writer writer("M", 1);  // 1: a solid (entity 186), not loose trimmed surfaces
   IGESData_GlobalSection head = writer.Model()->GlobalSection();
   head.SetCascadeUnit(1000.0);  // millimetres in what the numbers are; the file's own unit is metres too
   head.SetSendName(new TCollection_HAsciiString(ascii(name).c_str()));

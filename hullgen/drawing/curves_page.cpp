@@ -213,7 +213,7 @@ std::string curves_page_svg(const CurvesPage& page, DrawnFor reader) {
                 "moulded surface as meshed, without appendages that the mesh does not have.",
                 h.draft, h.length, h.beam, h.volume, h.displacement / 1e3, page.water_density),
            Anchor::start, "quiet");
-  svg.text({margin - 8.0, top - 30.0}, "Draft [m]", Anchor::end, "quiet");
+  svg.text({margin - 34.0, top - 30.0}, "Draft [m]", Anchor::start, "quiet");
   for (std::size_t k = 0; k < frames().size(); ++k) draw_frame(svg, page, frames()[k], static_cast<int>(k));
   draw_levers(svg, page);
   draw_table(svg, page);
