@@ -5,6 +5,9 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
+#include <string>
+
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -78,11 +81,13 @@ Fit fitted(const Data& data, bool quadratic) {
   return fit;
 }
 
-std::vector<Axis> axes_of(const std::vector<const RankedDesign*>& designs) {
+// `held` follows from the others: it is no axis of its own.
+std::vector<Axis> axes_of(const std::vector<const RankedDesign*>& designs, const std::string& held) {
   std::map<std::string, Axis> all;
   std::map<std::string, std::size_t> given;
   for (const RankedDesign* design : designs)
     for (const auto& [pointer, value] : design->evaluation.parameters) {
+      if (pointer == held) continue;
       Axis& axis = all[pointer];
       axis.pointer = pointer;
       axis.lower = std::min(axis.lower, value), axis.upper = std::max(axis.upper, value);
@@ -99,7 +104,7 @@ Data data_of(const StudyResults& study) {
   Data data;
   for (const RankedDesign& row : study.ranking.rows)
     if (row.rank > 0) data.designs.push_back(&row);
-  data.axes = axes_of(data.designs);
+  data.axes = axes_of(data.designs, held_pointer(study.document));
   data.x.resize(static_cast<Eigen::Index>(data.designs.size()), static_cast<Eigen::Index>(data.axes.size()));
   data.y.resize(data.x.rows());
   for (Eigen::Index i = 0; i < data.x.rows(); ++i) {

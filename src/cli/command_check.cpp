@@ -70,6 +70,9 @@ std::string box_lines(const FeasibleBox& box) {
   if (box.tried == 0) return "";
   std::string text = "feasible: " + std::to_string(box.feasible) + " of " + std::to_string(box.tried) +
                      " points of the whole box\n";
+  if (!box.held.empty() && box.feasible > 0)
+    text += "  there " + box.held + ", which keeps the displacement, is " + brief(box.held_lower) + " to " +
+            brief(box.held_upper) + "\n";
   if (box.feasible == box.tried) return text;
   if (box.variables.empty()) return text + "  no smaller box was found that is feasible as a whole\n";
   text += "  all of " + std::to_string(box.tried_inside) + " points tried are feasible within\n";

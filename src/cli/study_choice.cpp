@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "study/look/stored_design.h"
+#include "study/spec/held_document.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
@@ -85,6 +86,7 @@ Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
   Json document = planned.document;
   for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
   resolve_hull_files(document, spec.file);
+  hold_displacement(document);
   Design changed = read_design(planned.name, std::move(document), planned.parameters);
   const bool asked = part_at(changed.document, "/operation") != part_at(planned.document, "/operation");
   return planned.sail_to > 0.0 && !asked ? sailed_to(std::move(changed), planned.sail_to) : changed;

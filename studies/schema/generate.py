@@ -34,7 +34,7 @@ PROGRAM = {"description": "a program that evaluates", "type": "object", "additio
                "time_limit_s": {"type": "number", "exclusiveMinimum": 0, "maximum": 1e8}}}
 RANKED_BY = ["mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"]
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
-SECTIONS = ["bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
+SECTIONS = ["bow", "hold", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
 METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
                "latin_hypercube": ["variables", "samples", "seed", "extends"],
                "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
@@ -209,7 +209,7 @@ def pretty(value, indent=""):
 
 def key_table(table):
     lines = [BEGIN, ""]
-    for section in ["", "bow", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "method", "confirm", "decide", "ranking", "execution"]:
+    for section in ["", "bow", "hold", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "method", "confirm", "decide", "ranking", "execution"]:
         lines += [f"### {'Top level' if not section else '`' + section + '`'}", "",
                   "| key | allowed | default | meaning |", "|---|---|---|---|"]
         for k in (k for k in table["keys"] if k["section"] == section):

@@ -16,7 +16,9 @@
 #include "study/plan/repeats.h"
 #include "study/plan/sampling.h"
 #include "study/plan/variable_ranges.h"
+#include "study/spec/held_document.h"
 #include "study/spec/model_notes.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -27,13 +29,16 @@ void leave_out_simulation(Json& document) {
   list.erase(std::remove(list.begin(), list.end(), Json("peridynamics")), list.end());
 }
 
-// The values that a document gives the variables of the study's method.
+// The values that a document gives the variables of the study's method, and the dimension that keeps its
+// displacement.
 std::map<std::string, double> parameters_of(const StudySpec& spec, const Json& document) {
   std::map<std::string, double> parameters;
   for (const Variable& variable : spec.method.variables) {
     const double value = number_at(document, variable.pointer);
     if (std::isfinite(value)) parameters[variable.pointer] = value;
   }
+  const std::string held = held_pointer(document);
+  if (!held.empty()) parameters[held] = number_at(document, held);
   return parameters;
 }
 
@@ -52,6 +57,7 @@ PlannedDesign with_key(const StudySpec& spec, Design design) {
 }
 
 PlannedDesign planned(const StudySpec& spec, const std::string& name, Json document) {
+  hold_displacement(document);
   std::map<std::string, double> parameters = parameters_of(spec, document);
   return with_key(spec, read_design(name, std::move(document), std::move(parameters)));
 }
@@ -176,6 +182,8 @@ StudyPlan plan_study(const StudySpec& spec) {
   Plan plan(spec);
   if (spec.use_peridynamics || spec.confirm.given())
     plan.plan.notes = model_notes(spec.baseline, spec.confirm.given());
+  const std::string hold = hold_in_words(spec.document);
+  if (!hold.empty()) plan.plan.notes.push_back(hold);
   for (std::string& note : notes_on_ranges(spec)) plan.plan.notes.push_back(std::move(note));
   const Json own = document_of_one(spec);
   if (spec.include_baseline)

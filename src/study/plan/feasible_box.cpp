@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <random>
 
 #include "hullgen/bow/feasibility.h"
 #include "study/plan/design_space.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -17,11 +19,14 @@ constexpr double peeled = 0.05;  // of the points, at a time
 struct Point {
   std::vector<double> x;
   bool feasible;
+  double held;  // what keeps the displacement, in the file's unit
 };
 
-bool is_feasible(const StudySpec& spec, const std::vector<double>& x) {
-  const std::optional<Case> given = design_at(spec, "", x).design.given;
-  return given && check_feasibility(given->bow).feasible;
+Point tried_at(const StudySpec& spec, std::vector<double> x, const std::string& held) {
+  const Design design = design_at(spec, "", x).design;
+  const auto value = design.parameters.find(held);
+  const bool feasible = design.given && check_feasibility(design.given->bow).feasible;
+  return {std::move(x), feasible, value == design.parameters.end() ? 0.0 : value->second};
 }
 
 std::vector<Point> tried(const StudySpec& spec, const std::vector<Variable>& box, std::uint64_t seed) {
@@ -31,7 +36,7 @@ std::vector<Point> tried(const StudySpec& spec, const std::vector<Variable>& box
     std::vector<double> x;
     for (const Variable& v : box)  // 53 bits of the generator, the same on every machine
       x.push_back(rounded(v.lower + static_cast<double>(random() >> 11) * 0x1p-53 * (v.upper - v.lower)));
-    points.push_back({x, is_feasible(spec, x)});
+    points.push_back(tried_at(spec, std::move(x), held_pointer(spec.document)));
   }
   return points;
 }
@@ -93,6 +98,12 @@ FeasibleBox feasible_box(const StudySpec& spec) {
   std::vector<Point> points = tried(spec, box, 1);
   result.tried = samples;
   result.feasible = samples - infeasible(points);
+  result.held = held_pointer(spec.document);
+  result.held_lower = std::numeric_limits<double>::infinity(), result.held_upper = -result.held_lower;
+  for (const Point& p : points)
+    if (p.feasible)
+      result.held_lower = std::min(result.held_lower, p.held),
+      result.held_upper = std::max(result.held_upper, p.held);
   for (int round = 0; round < most_rounds && infeasible(points) > 0; ++round) {
     if (!draw_in(box, points)) return result;
     points = tried(spec, box, static_cast<std::uint64_t>(round) + 2);

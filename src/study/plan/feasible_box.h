@@ -1,6 +1,7 @@
 // Which part of a study's box of variables has feasible bows.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "study/spec/study_spec.h"
@@ -12,6 +13,10 @@ struct FeasibleBox {
   std::vector<Variable>
       variables;         // bounds within which every point that was tried is feasible; empty: none found
   int tried_inside = 0;  // points tried there
+  // Where the study holds a displacement: which dimension follows, and its values at the feasible points, in
+  // the file's unit.
+  std::string held;
+  double held_lower = 0.0, held_upper = 0.0;
 };
 
 // Tries the closed-form margins at random points, the same every time; where some are infeasible, draws the

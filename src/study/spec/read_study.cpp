@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "study/spec/held_document.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_constraints.h"
 #include "study/spec/spec_designs.h"
@@ -167,6 +168,7 @@ StudySpec read_study(const Json& document, const std::string& name) {
   resolve_hull_files(resolved, name);
   resolve_program_files(resolved, name);
   take_in_table(resolved, name);
+  hold_displacement(resolved);
   StudySpec spec = parse_study(resolved, name, mistakes);
   if (!mistakes.empty()) throw InputError(name, std::move(mistakes));
   return spec;

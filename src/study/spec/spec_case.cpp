@@ -8,6 +8,7 @@
 #include "hullgen/bow/family.h"
 #include "solver/tank/virtual_tests.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_hold.h"
 #include "study/spec/spec_hull.h"
 #include "study/spec/spec_scenarios.h"
 
@@ -325,6 +326,7 @@ Case parse_case(const Json& document, Mistakes& mistakes) {
   if (output.text("format", "vtp") == "vtkhdf") c.snapshot_format = SnapshotFormat::vtkhdf;
   check_ship(c, s, mistakes);
   check_run(c, s, mistakes);
+  check_hold(document, c, mistakes);
   read_scenarios(document, parse_case, c, mistakes);
   return c;
 }

@@ -7,8 +7,10 @@
 #include <set>
 
 #include "study/spec/design_name.h"
+#include "study/spec/held_document.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -74,6 +76,15 @@ bool parse_patch_keys(const Json& patch, const std::string& at, Mistakes& mistak
   return true;
 }
 
+// What follows from a displacement that is held is no design's to say.
+void refuse_held(const Json& document, const Json& patch, const std::string& at, Mistakes& mistakes) {
+  const std::string held = held_pointer(document);
+  if (held.empty() || !patch.contains(Json::json_pointer(held))) return;
+  mistakes.push_back(
+      {at + held,
+       "follows from the displacement in /hold: drop it, or choose another dimension in /hold/by"});
+}
+
 NamedDesign parse_design(const CaseMistakes& baseline, const Json& design, const std::string& at,
                          Mistakes& mistakes) {
   NamedDesign named;
@@ -90,6 +101,7 @@ NamedDesign parse_design(const CaseMistakes& baseline, const Json& design, const
   named.name = parse_name(design, at, mistakes);
   named.set = design.value("set", Json::object());
   if (!parse_patch_keys(named.set, at + "/set", mistakes)) return named;
+  refuse_held(baseline.document(), named.set, at + "/set", mistakes);
   Json patched = baseline.document();
   patched.merge_patch(named.set);
   for (const Mistake& m : baseline.fresh(patched)) {
@@ -140,7 +152,9 @@ CaseMistakes::CaseMistakes(const Json& document) : document_(document) {
 
 Mistakes CaseMistakes::fresh(const Json& changed) const {
   Mistakes all, fresh;
-  parse_case(changed, all);
+  Json held = changed;
+  hold_displacement(held);
+  parse_case(held, all);
   for (const Mistake& m : all)
     if (known_.count({m.pointer, m.message}) == 0) fresh.push_back(m);
   return fresh;

@@ -44,6 +44,9 @@ const std::vector<Key> table = {
   {"bow", "belt_below", Quantity::length, 0.001, 30, false, 1.5, "1.5 m full scale", "the ice belt reaches this far below the design waterline", {}},
   {"bow", "belt_above", Quantity::length, 0.001, 30, false, 1.0, "1.0 m full scale", "the ice belt reaches this far above the design waterline", {}},
 
+  {"hold", "displacement", Quantity::volume, 1e-6, 1e7, false, none, "that of the file's own bow", "volume under the design waterline that every bow of the study displaces, full scale", {}},
+  {"hold", "by", Quantity::choice, 0, 0, false, none, "length", "the dimension of the ship that follows, in place of the one in bow", {"length", "beam", "draft"}},
+
   {"hull", "file", Quantity::text, 0, 0, true, none, "", "the user's own hull, instead of `bow`: a mesh (.obj, .stl, .ply), surfaces (.step, .igs) or offsets (.csv), from the study file's directory; closed, or one side of a closed hull", {}},
   {"hull", "unit", Quantity::choice, 0, 0, false, none, "m", "unit of the file's coordinates", {"m", "cm", "mm", "ft", "in"}},
   {"hull", "factor", Quantity::number, 1e-4, 1e4, false, 1, "1", "the file's lengths are multiplied by this as well, to be full scale: 25 for the mesh of a 1:25 model", {}},
@@ -160,7 +163,8 @@ const std::vector<Unit>& units_of(Quantity quantity) {
                                  toughness = {{"_Pa_sqrt_m", "Pa sqrt(m)", 1.0},
                                               {"_kPa_sqrt_m", "kPa sqrt(m)", 1e3},
                                               {"_MPa_sqrt_m", "MPa sqrt(m)", 1e6}},
-                                 density = {{"_kg_m3", "kg/m3", 1.0}}, plain = {{"", "", 1.0}};
+                                 density = {{"_kg_m3", "kg/m3", 1.0}}, volume = {{"_m3", "m3", 1.0}},
+                                 plain = {{"", "", 1.0}};
   switch (quantity) {
     case Quantity::length:
       return length;
@@ -176,6 +180,8 @@ const std::vector<Unit>& units_of(Quantity quantity) {
       return toughness;
     case Quantity::density:
       return density;
+    case Quantity::volume:
+      return volume;
     default:
       return plain;
   }
@@ -273,9 +279,9 @@ const std::vector<std::string>& design_sections() {
 
 const std::vector<std::string>& structural_keys() {
   static const std::vector<std::string> keys = {
-      "bow",         "hull",   "ice",     "water",      "sheet",   "operation",
-      "solver",      "cycle",  "output",  "evaluators", "designs", "scenarios",
-      "constraints", "method", "confirm", "decide",     "ranking", "execution"};
+      "bow",    "hold",    "hull",   "ice",        "water",    "sheet",     "operation",
+      "solver", "cycle",   "output", "evaluators", "designs",  "scenarios", "constraints",
+      "method", "confirm", "decide", "ranking",    "execution"};
   return keys;
 }
 

@@ -15,6 +15,7 @@ enum class Quantity {
   stress,
   toughness,
   density,
+  volume,
   number,   // dimensionless
   integer,  // JSON's 3 and 3.0
   boolean,

@@ -5,6 +5,7 @@
 
 #include "study/spec/spec_designs.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -52,6 +53,10 @@ class VariableReader {
     const Json::json_pointer pointer(variable_.pointer);
     if (!document_.contains(pointer)) {
       mistake("", "is not in this file; " + other_spelling());
+      return false;
+    }
+    if (variable_.pointer == held_pointer(document_)) {
+      mistake("", "follows from the displacement in /hold: drop it, or choose another dimension in /hold/by");
       return false;
     }
     return true;
