@@ -146,7 +146,8 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
     return "The best design lies at an end of the range of " + bound + ": widen it, and sweep again.";
   const std::string& best = ranking.rows.front().evaluation.name;
   const bool sails = std::isfinite(ranking.rows.front().cycle_load);
-  if (sails && !over_scenarios(study.document).empty() && !tie_clause(study, ranked).empty())
+  const bool by_cycle = !over_scenarios(study.document).empty() || ranking.confirmed.designs > 0;
+  if (sails && by_cycle && !tie_clause(study, ranked).empty())
     return "Tell the leaders apart: sail more voyages (cycle.voyages).";
   if (ranking.confirmed.designs == 0 && sails && over_scenarios(study.document).empty())
     return "Confirm the order by the simulation: add \"confirm\": {\"best\": 3, \"spread\": 2} to the study.";
