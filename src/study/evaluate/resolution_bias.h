@@ -1,9 +1,5 @@
-// By how much the mean load of a lattice differs from that of an infinitely fine one, where that was
-// measured.
+// By how much the mean load of a lattice differs from the load of an infinitely fine one.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "base/json.h"
 #include "study/spec/study_spec.h"
@@ -14,21 +10,8 @@ namespace icebow {
 enum class GivenStrength { toughness, stretch, calibration };
 GivenStrength given_strength(const Case& c);
 
-struct ResolutionBias {
-  int layers = 0;
-  GivenStrength strength = GivenStrength::toughness;
-  ContactRule contact = ContactRule::relocation;
-  double relative = 0.0;  // load / extrapolated limit - 1
-  double ci95 = 0.0;      // half width of its 95 % interval
-};
-
-// The table compiled in: studies/convergence/bias.json, {"format": 1, "entries": [{"layers", "strength",
-// "contact", "load_over_limit", "ci95"}]}, written by studies/convergence/extrapolate.py. Throws InputError
-// for a table of another form.
-std::vector<ResolutionBias> parse_bias_table(const Json& table);
-const std::vector<ResolutionBias>& bias_table();
-
-// {"known", "relative", "ci95", "sentence"} for a case's lattice; null numbers where it is not known.
-Json resolution_bias_json(const Case& c, const std::vector<ResolutionBias>& table = bias_table());
+// {"known": false, "relative": null, "ci95": null, "sentence"}: no lattice's bias has been measured yet
+// (docs/theory.md, "Resolution").
+Json resolution_bias_json(const Case& c);
 
 }  // namespace icebow

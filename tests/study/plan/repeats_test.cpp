@@ -160,42 +160,20 @@ TEST_CASE("a ranking warns of differences below the intervals and below the reso
   CHECK(rank_designs({run("a", 100, 9), run("b", 105, 9)}, "lindqvist_breaking").warnings.empty());
 }
 
-TEST_CASE("the resolution bias is that of the case's layers, strength and contact rule") {
-  const std::vector<ResolutionBias> table = parse_bias_table(Json::parse(
-      R"({"format": 1, "entries": [{"layers": 3, "strength": "toughness", "contact": "relocation",
-          "load_over_limit": 0.8, "ci95": 0.05}]})"));
+TEST_CASE("no lattice's resolution bias is known, and ice of a toughness has no limit to be far from") {
   Case c = fake_study().baseline;  // three layers
   c.ice.s0 = 0.0;
-  const Json known = resolution_bias_json(c, table);
-  CHECK(known["relative"] == Approx(-0.2));
-  CHECK(known["sentence"].get<std::string>().find("20 % below the limit of fine lattices, \u00b1 5 %") !=
-        std::string::npos);
-  Case by_stretch = c;
-  by_stretch.ice.s0 = 0.005;
-  CHECK(resolution_bias_json(by_stretch, table)["known"] == false);
   c.numerics.contact = ContactRule::penalty;
-  const Json unknown = resolution_bias_json(c, table);
-  CHECK(unknown["known"] == false);
-  CHECK(unknown["sentence"].get<std::string>().find("not known for this spacing (3 layers") !=
-        std::string::npos);
-  CHECK(unknown["sentence"].get<std::string>().find("without a limit") != std::string::npos);
-  by_stretch.numerics.contact = ContactRule::penalty;
-  CHECK(resolution_bias_json(by_stretch, table)["sentence"].get<std::string>().find("without a limit") ==
-        std::string::npos);
-  CHECK_NOTHROW(bias_table());
-}
-
-TEST_CASE("a table of the resolution bias that makes no sense is refused by place and range") {
-  const auto trouble = [](const char* entries) {
-    try {
-      parse_bias_table(Json::parse(std::string(R"({"format": 1, "entries": )") + entries + "}"));
-      return std::string();
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
+  const auto sentence = [](const Case& one) {
+    const Json bias = resolution_bias_json(one);
+    CHECK(bias["known"] == false);
+    CHECK(bias["relative"].is_null());
+    return bias["sentence"].get<std::string>();
   };
-  CHECK(trouble("{}").find("entries") != std::string::npos);
-  CHECK(trouble(R"([{"layers": 0}])").find("/entries/0/layers") != std::string::npos);
-  CHECK(trouble(R"([{"layers": 3, "strength": "soft"}])")
-            .find("must be one of toughness, stretch, calibration") != std::string::npos);
+  CHECK_THAT(
+      sentence(c),
+      Catch::Contains("not known for this spacing (3 layers, strength by toughness, contact penalty)") &&
+          Catch::Contains("without a limit"));
+  c.ice.s0 = 0.005;
+  CHECK_THAT(sentence(c), Catch::Contains("strength by stretch") && !Catch::Contains("without a limit"));
 }
