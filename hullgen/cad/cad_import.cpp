@@ -88,7 +88,7 @@ QuadMesh meshed(const std::string& path, bool step, std::vector<std::string>& no
   sewing.Add(shape);
   sewing.Perform();
   const TopoDS_Shape sewn = sewing.SewedShape();
-  BRepMesh_IncrementalMesh(sewn, chord * size, Standard_False, turn, Standard_False);
+  const BRepMesh_IncrementalMesh divided(sewn, chord * size, Standard_False, turn, Standard_False);
   QuadMesh mesh;
   int faces = 0;
   for (TopExp_Explorer face(sewn, TopAbs_FACE); face.More(); face.Next(), ++faces)

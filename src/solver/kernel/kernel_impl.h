@@ -109,18 +109,19 @@ Extremes<Real> family_theta(const RowFields<Real>& f, const FamilyTables<Real>& 
     const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])};
     V sum = {}, high = extremes.high, low = extremes.low;
-    for_family<Real, per_lane>(t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, auto n) {
-      V e = strain_at(row, fb, u, centre);
-      if constexpr (masked) e = S::keep_lanes(e, part_of<S::lanes>(there[n], lane0));
-      const V w = S::template constant<per_lane>(weight, half_dilatation);
-      if constexpr (which == calm && LawDegrees<Real>::calm == 0) {
-        sum += w * e;
-      } else {
-        sum += w * (e * G(fit_argument<which>(e, law)));
-      }
-      high = S::max(high, e);
-      low = S::min(low, e);
-    });
+    for_family<Real, per_lane>(
+        t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, [[maybe_unused]] auto n) {
+          V e = strain_at(row, fb, u, centre);
+          if constexpr (masked) e = S::keep_lanes(e, part_of<S::lanes>(there[n], lane0));
+          const V w = S::template constant<per_lane>(weight, half_dilatation);
+          if constexpr (which == calm && LawDegrees<Real>::calm == 0) {
+            sum += w * e;
+          } else {
+            sum += w * (e * G(fit_argument<which>(e, law)));
+          }
+          high = S::max(high, e);
+          low = S::min(low, e);
+        });
     S::store(f.theta + x, sum);
     extremes = {high, low};
   }

@@ -9,9 +9,9 @@ namespace icebow {
 namespace {
 
 // Beyond this part of its thickness a column is longer or shorter than any ice that still is a plate.
-constexpr double most_crushed = 0.3;
+inline constexpr double most_crushed = 0.3;
 // Ice that has moved by so many thicknesses is part of the plane; by one more, no longer.
-constexpr double in_plane = 0.5;
+inline constexpr double in_plane = 0.5;
 
 // Doubles from a field of either precision.
 template <class Real>

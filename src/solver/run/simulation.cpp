@@ -228,6 +228,14 @@ class Loop {
         break;
       }
     }
+    conclude(state, checkpoints, first_step);
+  }
+
+ private:
+  void conclude(RunState& state, Checkpoints& checkpoints, std::int64_t first_step) {
+    Stepper& stepper = state.stepper;
+    Recorder& recorder = state.recorder;
+    Snapshots& snapshots = state.snapshots;
     stepper.timer().lap(Phase::other);
     result_.wall_seconds = seconds_since(start_);
     result_.profile = profile_of(comm_, stepper.timer());
@@ -247,10 +255,9 @@ class Loop {
     snapshots.write_animation();
     const SheetState sheet = gather_state(comm_, stepper.sheet());
     result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
-    result_.process = process.sum_up(stepper, sheet, result_.history);
+    result_.process = state.process.sum_up(stepper, sheet, result_.history);
   }
 
- private:
   // Where the state is kept for a longer voyage: at a sample, so that the longer one has the same samples.
   bool is_last_sample(const Stepper& stepper, const Recorder& recorder) const {
     return options_.to_be_sailed_on && stepper.steps() + recorder.steps_per_sample() > result_.steps;
