@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/read_study.h"
 
 namespace icebow {
@@ -157,12 +158,12 @@ const Condition* first_difference(const StudyResults& study) {
 
 // "thin (weight 0.7), thick (weight 0.3)".
 std::string scenarios_in_words(const Json& document) {
-  const Json& list = part_at(document, "/scenarios");
+  const Json& list = part_at(document, document_key::scenarios);
   if (!list.is_array()) return {};
   std::vector<std::string> words;
   for (const Json& one : list) {
-    const double weight = number_at(one, "/weight");
-    words.push_back(text_at(one, "/name") +
+    const double weight = number_at(one, document_key::scenario_weight);
+    words.push_back(text_at(one, document_key::scenario_name) +
                     (std::isfinite(weight) ? " (weight " + csv_number(weight) + ")" : ""));
   }
   return listed(words, 8);
@@ -189,10 +190,10 @@ std::string unlike_ice_words(const Json& result) {
 }
 
 std::string over_scenarios(const Json& document) {
-  const Json& list = part_at(document, "/scenarios");
+  const Json& list = part_at(document, document_key::scenarios);
   if (!list.is_array() || list.empty()) return {};
   return " over " + std::to_string(list.size()) + " scenarios, by their " +
-         (text_at(document, "/ranking/over_scenarios") == "worst" ? "worst" : "weighted mean");
+         (text_at(document, document_key::over_scenarios) == "worst" ? "worst" : "weighted mean");
 }
 
 Conditions conditions(const StudyResults& study) {

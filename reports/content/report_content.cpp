@@ -77,8 +77,9 @@ std::vector<Picture> pictures_of(const DesignFiles& files, const Json& result) {
   const Json& list = part_at(result, result_key::pictures);
   if (!list.is_array()) return pictures;
   for (const Json& entry : list) {
-    const std::string file = files.path(text_at(entry, "/file"));
-    if (!file.empty() && is_png(file)) pictures.push_back({file, number_at(entry, "/advance_m")});
+    const std::string file = files.path(text_at(entry, result_key::picture_file));
+    if (!file.empty() && is_png(file))
+      pictures.push_back({file, number_at(entry, result_key::picture_advance)});
   }
   return pictures;
 }

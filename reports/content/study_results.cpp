@@ -12,6 +12,7 @@
 #include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
 #include "study/plan/repeats.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/read_study.h"
 #include "study/store/store.h"
 
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 // The name a reader knows the study by: its own, else that of its directory.
 std::string study_name(const StudyResults& study) {
-  const std::string name = text_at(study.document, "/name");
+  const std::string name = text_at(study.document, document_key::name);
   if (!name.empty()) return name;
   const fs::path directory = fs::absolute(study.directory).lexically_normal();
   return (directory.has_filename() ? directory : directory.parent_path()).filename().string();
@@ -83,7 +84,7 @@ void add_runs(StudyResults& study, const std::vector<Evaluation>& evaluations) {
 
 // Lists and grids draw no random numbers.
 std::string seed(const Json& document, const Store& store) {
-  const std::string method = text_at(document, "/method/type");
+  const std::string method = text_at(document, document_key::method_type);
   return method == "latin_hypercube" || method == "optimise" ? store.fact("seed") : std::string();
 }
 
@@ -106,7 +107,7 @@ StudyResults read_study_results(const std::string& directory) {
   study.directory = directory;
   study.document = study_document(directory, store);
   study.name = study_name(study);
-  study.purpose = text_at(study.document, "/purpose");
+  study.purpose = text_at(study.document, document_key::purpose);
   study.command = store.fact("command");
   study.version = store.fact("version");
   study.host = store.fact("host");

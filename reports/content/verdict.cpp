@@ -11,6 +11,7 @@
 #include "reports/content/load_unit.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
+#include "study/spec/document_keys.h"
 
 namespace icebow {
 namespace {
@@ -119,12 +120,13 @@ std::string longer_records(const TooShort& records) {
 
 // "stem_deg" of the best design where it lies at an end of what the study allowed it; empty where inside.
 std::string at_its_bound(const StudyResults& study) {
-  const Json& variables = part_at(study.document, "/method/variables");
+  const Json& variables = part_at(study.document, document_key::method_variables);
   if (!variables.is_object()) return {};
   const auto& parameters = study.ranking.rows.front().evaluation.parameters;
   for (const auto& [pointer, range] : variables.items()) {
     const auto own = parameters.find(pointer);
-    const double low = number_at(range, "/min"), high = number_at(range, "/max");
+    const double low = number_at(range, document_key::variable_min),
+                 high = number_at(range, document_key::variable_max);
     if (own == parameters.end() || !(high > low)) continue;
     if (std::min(own->second - low, high - own->second) < 0.02 * (high - low)) return pointer;
   }

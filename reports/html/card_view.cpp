@@ -36,10 +36,9 @@ Json angles_table(const Json& result) {
 
 // Where a hull that was not generated comes from, and what was mended in its mesh.
 std::string imported_note(const Json& result) {
-  const Json& imported = part_at(result, result_key::imported);
-  if (!imported.is_object()) return {};
-  std::string words = "Hull imported from " + text_at(imported, "/file");
-  const Json& repairs = part_at(imported, "/repairs");
+  if (!part_at(result, result_key::imported).is_object()) return {};
+  std::string words = "Hull imported from " + text_at(result, result_key::imported_file);
+  const Json& repairs = part_at(result, result_key::imported_repairs);
   if (repairs.is_array())
     for (const Json& repair : repairs) words += "; " + text_at(repair, "");
   return words + ".";
@@ -134,9 +133,9 @@ Json scenarios_table(const Json& result, const LoadUnit& unit) {
     const auto load = [&](const char* key) {
       return fixed(number_at(one, key) / unit.newtons, unit.decimals);
     };
-    rows.push_back(
-        row_view(text_at(one, "/name"), {csv_number(number_at(one, "/weight")), load(result_key::cycle_load),
-                                         load(result_key::lindqvist_total)}));
+    rows.push_back(row_view(text_at(one, result_key::scenario_name),
+                            {csv_number(number_at(one, result_key::scenario_weight)),
+                             load(result_key::cycle_load), load(result_key::lindqvist_total)}));
   }
   return table_view("Scenarios", {"weight", "cycle, " + unit.name, "Lindqvist, " + unit.name}, rows);
 }

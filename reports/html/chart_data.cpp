@@ -9,6 +9,7 @@
 #include "reports/content/comparison.h"
 #include "reports/tables/table_report.h"
 #include "study/evaluate/result_keys.h"
+#include "study/spec/document_keys.h"
 
 namespace icebow {
 namespace {
@@ -131,11 +132,12 @@ Json fit_json(const ResponseFit& fit) {
 // Of an optimiser's or a sweep's variables, as the study file has them.
 Json bounds_json(const StudyResults& study) {
   Json bounds = Json::object();
-  const Json& variables = part_at(study.document, "/method/variables");
+  const Json& variables = part_at(study.document, document_key::method_variables);
   if (!variables.is_object()) return bounds;
   for (const auto& [pointer, range] : variables.items())
-    if (std::isfinite(number_at(range, "/min")))
-      bounds[pointer] = {number_at(range, "/min"), number_at(range, "/max")};
+    if (std::isfinite(number_at(range, document_key::variable_min)))
+      bounds[pointer] = {number_at(range, document_key::variable_min),
+                         number_at(range, document_key::variable_max)};
   return bounds;
 }
 

@@ -16,6 +16,7 @@
 #include "reports/html/report_assets.h"
 #include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
+#include "study/spec/document_keys.h"
 
 namespace icebow {
 namespace {
@@ -60,7 +61,7 @@ Json first_screen(const ReportContent& content) {
 }
 
 bool is_optimised(const StudyResults& study) {
-  return text_at(study.document, "/method/type") == "optimise";
+  return text_at(study.document, document_key::method_type) == "optimise";
 }
 
 Json charts(const ReportContent& content, const ResponseFit& fit) {

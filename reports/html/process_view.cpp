@@ -25,9 +25,9 @@ struct Listed {
 Listed listed_of(const Json& result, const std::string& kind) {
   Listed found;
   for (const Json& crack : part_at(result, result_key::crack_list)) {
-    if (text_at(crack, "/kind") != kind) continue;
-    if (found.lengths.empty()) found.first = number_at(crack, "/opened_m");
-    found.lengths.push_back(number_at(crack, "/length_m"));
+    if (text_at(crack, result_key::crack_kind) != kind) continue;
+    if (found.lengths.empty()) found.first = number_at(crack, result_key::crack_opened);
+    found.lengths.push_back(number_at(crack, result_key::crack_length));
   }
   std::sort(found.lengths.begin(), found.lengths.end());
   return found;

@@ -1,7 +1,9 @@
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "cli/commands.h"
 #include "cli/process_text.h"
 #include "cli/progress.h"
@@ -37,26 +39,26 @@ EvaluateOptions options_for(const Arguments& arguments, const std::string& desig
   return options;
 }
 
-std::string kilonewtons(const Json& loads, const char* key) {
-  const auto value = loads.find(key);
-  return value != loads.end() && value->is_number() ? decimals(value->get<double>() / 1e3, 1) : "-";
+std::string kilonewtons(const Json& result, const char* load) {
+  const double newtons = number_at(result, load);
+  return std::isfinite(newtons) ? decimals(newtons / 1e3, 1) : "-";
 }
 
-std::string bias_sentence(const Json& result) {
-  const Json::json_pointer at(result_key::bias_sentence);
-  return result.contains(at) ? result.at(at).get<std::string>() + "\n" : "";
+// A line of its own, where the result says anything.
+std::string line_of(const Json& result, const char* sentence) {
+  const std::string words = text_at(result, sentence);
+  return words.empty() ? "" : words + "\n";
 }
 
 std::string for_people(const Evaluation& e, const std::string& directory) {
-  std::string text = e.name + ": " + to_string(e.status) + ", results in " + directory + "\n";
-  const Json::json_pointer at("/metrics/full_scale");
-  if (!e.result.contains(at)) return text;
-  const Json& loads = e.result.at(at);
-  const Json::json_pointer ice("/simulation/ice/sentence");
-  const std::string ice_sentence = e.result.contains(ice) ? e.result.at(ice).get<std::string>() + "\n" : "";
-  return text + ice_sentence + "full scale: mean load " + kilonewtons(loads, "mean_load_N") + " \u00b1 " +
-         kilonewtons(loads, "mean_load_ci95_N") + " kN (95 %), maximum " + kilonewtons(loads, "max_load_N") +
-         " kN\n" + process_text(e.result) + bias_sentence(e.result);
+  const Json& result = e.result;
+  const std::string text = e.name + ": " + to_string(e.status) + ", results in " + directory + "\n";
+  if (!part_at(result, result_key::full_scale).is_object()) return text;
+  return text + line_of(result, result_key::simulated_ice_sentence) + "full scale: mean load " +
+         kilonewtons(result, result_key::mean_load) + " \u00b1 " +
+         kilonewtons(result, result_key::mean_load_ci95) + " kN (95 %), maximum " +
+         kilonewtons(result, result_key::max_load) + " kN\n" + process_text(result) +
+         line_of(result, result_key::bias_sentence);
 }
 
 // Where the time went; on stderr, as progress is, so that --json stays JSON.

@@ -47,9 +47,11 @@ std::string status_text(const Json& s) {
          words(s, "version") + "\n  " + words(s, "command") + "\n";
 }
 
+constexpr const char* no_interval = nullptr;
+
 // A load with its interval, where the result has it.
 std::vector<std::string> load_row(const Json& result, const char* name, const char* load, const char* ci95) {
-  const double value = number_at(result, load), half = number_at(result, ci95);
+  const double value = number_at(result, load), half = ci95 ? number_at(result, ci95) : NAN;
   return {name, decimals(value / 1e3, 1) + (std::isfinite(half) ? " \u00b1 " + decimals(half / 1e3, 1) : "") +
                     " kN"};
 }
@@ -59,9 +61,9 @@ std::string results_text(const Json& result) {
   for (const auto& [name, load, ci95] :
        {std::tuple("mean load", result_key::mean_load, result_key::mean_load_ci95),
         std::tuple("by the cycle", result_key::cycle_load, result_key::cycle_load_ci95),
-        std::tuple("Lindqvist, breaking", result_key::lindqvist_breaking, "/none"),
-        std::tuple("Lindqvist, total", result_key::lindqvist_total, "/none"),
-        std::tuple("largest load", result_key::max_load, "/none")})
+        std::tuple("Lindqvist, breaking", result_key::lindqvist_breaking, no_interval),
+        std::tuple("Lindqvist, total", result_key::lindqvist_total, no_interval),
+        std::tuple("largest load", result_key::max_load, no_interval)})
     if (std::isfinite(number_at(result, load))) rows.push_back(load_row(result, name, load, ci95));
   return rows.empty() ? "" : "\n" + text_table(rows);
 }
@@ -77,12 +79,13 @@ std::string card_text(const Json& card) {
   for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
   for (const auto& [pointer, value] : card.at("parameters").items())
     text += "  " + pointer + " " + (value.is_number() ? brief(value.get<double>()) : "-") + "\n";
-  text += results_text(card.at("result"));
-  const std::string date = text_at(card, "/result/provenance/date_utc");
+  const Json& result = card.at("result");
+  text += results_text(result);
+  const std::string date = text_at(result, result_key::evaluated_at);
   if (!date.empty())
-    text += "\nevaluated " + date + " on " + text_at(card, "/result/provenance/host") + " by icebow " +
-            text_at(card, "/result/provenance/version") + " in " +
-            clock_time(number_at(card, "/result/provenance/wall_s")) + "\n";
+    text += "\nevaluated " + date + " on " + text_at(result, result_key::evaluated_on) + " by icebow " +
+            text_at(result, result_key::evaluated_by) + " in " +
+            clock_time(number_at(result, result_key::evaluation_seconds)) + "\n";
   if (card.at("directory").is_string()) text += "files: " + words(card, "directory") + "\n";
   if (!card.at("commands").is_object()) return text;
   text += "again: " + words(card.at("commands"), "again") + "\n";

@@ -35,8 +35,9 @@ const std::vector<Command>& commands() {
       {"check",
        "STUDY",
        "read a study file, list every mistake or what it will do",
-       "Exits with 2 where the file has a mistake; each is listed with its JSON pointer, and with 3 where no "
-       "design is feasible. Nothing is written.",
+       "Lists each mistake with its JSON pointer. Exits with 2 where the file has a mistake, and with 3 "
+       "where "
+       "no design is feasible. Nothing is written.",
        "icebow check studies/quickstart.json --set /ice/thickness_m=0.8",
        {set},
        false,
@@ -108,9 +109,10 @@ const std::vector<Command>& commands() {
       {"calibrate",
        "STUDY",
        "what an ice tank's tests would measure of a design's ice",
-       "Bends and crushes pieces of the study's own lattice. With ice.model \"calibrated\" their modulus and "
-       "flexural strength are those of the file; otherwise they are what the file's modulus and toughness "
-       "amount to. Stresses are at the scale of the section \"ice\".",
+       "Bends and crushes pieces of the study's own lattice. With ice.model \"calibrated\" the pieces have "
+       "the "
+       "file's modulus and flexural strength. Otherwise the modulus and strength follow from the file's "
+       "modulus and toughness. Stresses are at the scale of the section \"ice\".",
        "icebow calibrate studies/calibrated_ice.json",
        {set,
         design,
@@ -148,7 +150,7 @@ const std::vector<Command>& commands() {
        {set,
         {"--out", "DIR", "directory of the study", true},
         {"--jobs", "N", "designs at once; default: as the study says"},
-        {"--retry-failed", "", "evaluate failed designs again, whatever they failed of"},
+        {"--retry-failed", "", "evaluate failed designs again, whatever the cause"},
         json},
        true,
        run_run},
@@ -190,8 +192,8 @@ const std::vector<Command>& commands() {
        run_export},
       {"diff",
        "DIR OTHER",
-       "what two studies asked differently, and what came of the same designs",
-       "A design of both has the same name, or, of a method's points, the same parameters.",
+       "where two studies differ: what each asks, and the results of the same designs",
+       "Designs are the same where they have one name or, as points of a method, the same parameters.",
        "icebow diff out/sweep out/thick_ice",
        {json},
        false,

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "study/look/stored_design.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/held_document.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_hints.h"
@@ -88,7 +89,8 @@ Design chosen_design(const StudySpec& spec, const Arguments& arguments) {
   resolve_hull_files(document, spec.file);
   hold_displacement(document);
   Design changed = read_design(planned.name, std::move(document), planned.parameters);
-  const bool asked = part_at(changed.document, "/operation") != part_at(planned.document, "/operation");
+  const bool asked = part_at(changed.document, document_key::operation) !=
+                     part_at(planned.document, document_key::operation);
   return planned.sail_to > 0.0 && !asked ? sailed_to(std::move(changed), planned.sail_to) : changed;
 }
 

@@ -41,9 +41,8 @@ inline Mistake only_mistake(const Json& document) {
   return mistakes[0];
 }
 
-// Equal but for the last two places.
 inline void check_ulps(double value, double expected) {
-  CHECK(std::abs(value - expected) <= 2.3e-16 * 2 * std::abs(expected));
+  CHECK(std::abs(value - expected) <= 2.3e-16 * 2 * std::abs(expected));  // but for the last two places
 }
 
 }  // namespace icebow

@@ -5,15 +5,17 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_designs.h"
 
 namespace icebow {
 
 bool asks_for_hydrostatics(const Json& document) {
-  const Json& list = part_at(document, "/constraints");
+  const Json& list = part_at(document, document_key::constraints);
   return list.is_array() && std::any_of(list.begin(), list.end(), [](const Json& entry) {
-           return text_at(entry, "/at").rfind("/hydrostatics/", 0) == 0;
+           return result_key::is_hydrostatic(text_at(entry, document_key::constraint_at));
          });
 }
 

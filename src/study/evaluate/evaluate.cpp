@@ -28,6 +28,7 @@
 #include "study/evaluate/provenance.h"
 #include "study/evaluate/resolution_bias.h"
 #include "study/evaluate/result_json.h"
+#include "study/evaluate/result_keys.h"
 #include "study/evaluate/scenario_result.h"
 #include "study/evaluate/voyage_picture.h"
 #include "study/spec/case_hull.h"
@@ -229,7 +230,7 @@ Ending run_scenarios(Work& work) {
     work.condition = scenario.given.get();
     work.draws = results.empty();
     ending = run_formulas(work);
-    const std::string no_voyage = text_at(work.result, "/cycle/reason");
+    const std::string no_voyage = text_at(work.result, result_key::cycle_reason);
     if (ending.status == EvaluationStatus::ok && !no_voyage.empty()) ending = failed(no_voyage);
     if (ending.status != EvaluationStatus::ok) {
       ending.reason = scenario.name + ": " + ending.reason;
@@ -337,11 +338,12 @@ Ending run_simulation(Work& work) {
 Ending judge(Work& work) {
   const Json& result = work.result;
   if (work.design.asked.peridynamics) {
-    const bool number = result.at("metrics").at("full_scale").at("mean_load_N").is_number();
-    return number ? Ending{} : failed("the simulation ended with a mean load that is not a finite number");
+    return std::isfinite(number_at(result, result_key::mean_load))
+               ? Ending{}
+               : failed("the simulation ended with a mean load that is not a finite number");
   }
   if (work.design.asked.cycle) {
-    const std::string reason = result.at("cycle").at("reason").get<std::string>();
+    const std::string reason = text_at(result, result_key::cycle_reason);
     return reason.empty() ? Ending{} : failed(reason);
   }
   if (!work.design.asked.programs.empty()) return {};

@@ -1,6 +1,7 @@
 // Where the numbers of a stored result are: the one place that spells the keys of result.json for those who
-// read it. result_json.h and process_json.h write them; docs/study_file.md, "Results", says what each means.
-// A test holds all that is listed here against a real result.
+// read it (scripts/check_layers finds a key that is spelled elsewhere). result_json.h and process_json.h
+// write them; docs/study_file.md, "Results", says what each means. A test holds all that is listed here
+// against a real result.
 #pragma once
 
 #include <iterator>
@@ -9,7 +10,7 @@
 
 namespace icebow::result_key {
 
-// Of which a result has several, by name.
+// A result has several of each of these, by name.
 inline std::string requested_deg(const std::string& angle) {
   return "/hull/requested_deg/" + angle;
 }
@@ -32,6 +33,22 @@ inline std::string file(const std::string& kind) {
 inline std::string cycle_part(const std::string& part) {
   return "/cycle/" + part + "_N";
 }
+// A number of another program, like "/programs/yard/resistance_N".
+inline bool is_of_program(const std::string& pointer) {
+  return pointer.rfind("/programs/", 0) == 0;
+}
+inline bool is_hydrostatic(const std::string& pointer) {
+  return pointer.rfind("/hydrostatics/", 0) == 0;
+}
+
+// One crack of crack_list, one picture of pictures, one scenario of scenarios.
+constexpr const char* crack_kind = "/kind";
+constexpr const char* crack_opened = "/opened_m";
+constexpr const char* crack_length = "/length_m";
+constexpr const char* picture_file = "/file";
+constexpr const char* picture_advance = "/advance_m";
+constexpr const char* scenario_name = "/name";
+constexpr const char* scenario_weight = "/weight";
 
 // A load at both scales, with the half width of its interval where it has one.
 struct Load {
@@ -43,6 +60,9 @@ constexpr const char* beam = "/ship/B_m";
 constexpr const char* margins = "/hull/margins";
 constexpr const char* margin_sentences = "/hull/margin_sentences";
 constexpr const char* imported = "/hull/imported";
+constexpr const char* imported_file = "/hull/imported/file";
+constexpr const char* imported_repairs = "/hull/imported/repairs";
+constexpr const char* full_scale = "/metrics/full_scale";
 constexpr const char* mean_load = "/metrics/full_scale/mean_load_N";
 constexpr const char* mean_load_ci95 = "/metrics/full_scale/mean_load_ci95_N";
 constexpr const char* max_load = "/metrics/full_scale/max_load_N";
@@ -71,6 +91,7 @@ constexpr const char* metrics_lambda = "/metrics/lambda";
 constexpr const char* cycle_load = "/cycle/mean_load_N";
 constexpr const char* cycle_load_ci95 = "/cycle/mean_load_ci95_N";
 constexpr const char* cycle = "/cycle";
+constexpr const char* cycle_reason = "/cycle/reason";  // why no voyage came to its end; empty where all did
 constexpr const char* cycle_same_way_load = "/cycle/same_way/mean_load_N";
 constexpr const char* cycle_same_way_ci95 = "/cycle/same_way/ci95_N";
 constexpr const char* cycle_voyages = "/cycle/voyages";
@@ -108,11 +129,20 @@ constexpr const char* tensile_strength = "/simulation/tensile_strength_Pa";
 constexpr const char* crushing_pressure = "/simulation/crushing_pressure_Pa";
 constexpr const char* load_part = "/simulation/load";
 constexpr const char* simulated_flexural_strength = "/simulation/ice/flexural_strength_Pa";
+constexpr const char* simulated_ice_sentence = "/simulation/ice/sentence";
 constexpr const char* simulated_ice_model = "/simulation/ice/model";
 constexpr const char* bond_modulus = "/simulation/elastic_modulus_Pa";
 constexpr const char* lambda = "/simulation/lambda";
 constexpr const char* ns_per_bond = "/simulation/ns_per_bond";
 constexpr const char* ranks = "/provenance/ranks";
+constexpr const char* evaluated_by = "/provenance/version";
+constexpr const char* evaluated_on = "/provenance/host";
+constexpr const char* evaluated_at = "/provenance/date_utc";
+constexpr const char* evaluation_seconds = "/provenance/wall_s";
+constexpr const char* failure_cause = "/failure/cause";  // of a failed design only, as the three below
+constexpr const char* failed_program = "/failure/program";
+constexpr const char* failed_time_limit = "/failure/time_limit_s";
+constexpr const char* failed_version = "/failure/version";
 constexpr const char* simulation_seconds = "/simulation/wall_s";
 constexpr const char* sailed_to = "/sailed_to_m";        // of a voyage in a race only
 constexpr const char* sailing_ended = "/sailing_ended";  // why such a voyage cannot be sailed on, in words
@@ -144,10 +174,11 @@ constexpr const char* without_contact_share = "/process/load_cycle/without_conta
 constexpr const char* channel_width = "/process/channel/width_m/mean";
 constexpr const char* channel_width_std = "/process/channel/width_std_m";
 
-// Every key above but those of an imported hull and of the evaluator "cycle", which few results have.
+// What every simulation tells.
 constexpr const char* of_every_run[] = {beam,
                                         margins,
                                         margin_sentences,
+                                        full_scale,
                                         mean_load,
                                         mean_load_ci95,
                                         max_load,
@@ -204,9 +235,16 @@ constexpr const char* of_every_run[] = {beam,
                                         crushing_pressure,
                                         load_part,
                                         simulated_flexural_strength,
+                                        simulated_ice_sentence,
+                                        simulated_ice_model,
+                                        bond_modulus,
                                         lambda,
                                         ns_per_bond,
                                         ranks,
+                                        evaluated_by,
+                                        evaluated_on,
+                                        evaluated_at,
+                                        evaluation_seconds,
                                         simulation_seconds,
                                         pictures,
                                         process,
@@ -217,6 +255,7 @@ constexpr const char* of_every_run[] = {beam,
                                         breaking_length_median,
                                         breaking_length_nine_tenths,
                                         breaking_length_along_course,
+                                        breaking_length_over_characteristic,
                                         in_floes_share,
                                         dust_share,
                                         floes,
@@ -232,6 +271,17 @@ constexpr const char* of_every_run[] = {beam,
                                         without_contact_share,
                                         channel_width,
                                         channel_width_std};
+// What the evaluator "cycle" tells where its voyages came to their end.
+constexpr const char* of_every_cycle[] = {cycle,
+                                          cycle_reason,
+                                          cycle_load,
+                                          cycle_load_ci95,
+                                          cycle_voyages,
+                                          cycle_ci95_voyages,
+                                          cycle_effective_samples,
+                                          cycle_submersion};
+constexpr const char* of_every_import[] = {imported, imported_file, imported_repairs};
+
 inline std::vector<std::string> all() {
   std::vector<std::string> keys(std::begin(of_every_run), std::end(of_every_run));
   for (const char* angle : {"stem", "waterline", "buttock", "flare"}) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
 namespace {
@@ -60,9 +61,9 @@ Json entry_of(const ScenarioResult& s) {
 
 void judge_formula(Json& result, const std::vector<ScenarioResult>& scenarios) {
   for (const ScenarioResult& s : scenarios) {
-    if (!is_false_at(s.result, "/lindqvist/valid")) continue;
+    if (!is_false_at(s.result, result_key::lindqvist_valid)) continue;
     result["lindqvist"]["valid"] = false;
-    result["lindqvist"]["reason"] = s.name + ": " + text_at(s.result, "/lindqvist/reason");
+    result["lindqvist"]["reason"] = s.name + ": " + text_at(s.result, result_key::lindqvist_reason);
     return;
   }
 }

@@ -8,6 +8,7 @@
 #include "solver/tank/virtual_tests.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/read_study.h"
 #include "study/spec/spec_hints.h"
 #include "study/store/design_files.h"
@@ -26,7 +27,7 @@ std::string word(const std::string& text) {
 
 // The lattice's next finer one: a layer more, or a spacing that is three quarters of the file's.
 std::string finer_lattice(const Json& document, const Case& c) {
-  const Json& solver = part_at(document, "/solver");
+  const Json& solver = part_at(document, document_key::solver);
   for (const char* key : {"spacing_m", "spacing_cm", "spacing_mm"})
     if (solver.is_object() && solver.contains(key))
       return std::string(" --set /solver/") + key + "=" + brief(0.75 * solver.at(key).get<double>());

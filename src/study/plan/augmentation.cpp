@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/json_fields.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/spec_keys.h"
 
 namespace icebow {
@@ -11,18 +12,19 @@ namespace {
 
 // The method as far as the points of its first hypercube hang on it.
 Json hypercube_of(const Json& document) {
-  const Json& method = part_at(document, "/method");
-  if (text_at(method, "/type") != "latin_hypercube") return nullptr;
-  return {{"variables", part_at(method, "/variables")}, {"seed", method.value("seed", Json(1))}};
+  const Json& method = part_at(document, document_key::method);
+  if (text_at(document, document_key::method_type) != "latin_hypercube") return nullptr;
+  return {{"variables", part_at(document, document_key::method_variables)},
+          {"seed", method.value("seed", Json(1))}};
 }
 
 int samples_of(const Json& document) {
-  const double given = number_at(document, "/method/samples");
+  const double given = number_at(document, document_key::method_samples);
   return static_cast<int>(std::isnan(given) ? find_key("method", "samples")->fallback : given);
 }
 
 std::vector<int> extends_of(const Json& document) {
-  const Json& list = part_at(document, "/method/extends");
+  const Json& list = part_at(document, document_key::method_extends);
   return list.is_array() ? list.get<std::vector<int>>() : std::vector<int>();
 }
 

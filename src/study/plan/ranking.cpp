@@ -37,7 +37,7 @@ bool is_whole_load(const Json& result) {
 
 // Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
 double half_width(const RankedDesign& row, const std::string& rank_by) {
-  if (rank_by == "lindqvist_breaking" || rank_by.rfind("/programs/", 0) == 0) return 0.0;
+  if (rank_by == "lindqvist_breaking" || result_key::is_of_program(rank_by)) return 0.0;
   if (rank_by[0] == '/') return nan_value;
   if (rank_by == "cycle_load") return row.cycle_ci95;
   const double half = std::isfinite(row.difference_ci95) ? row.difference_ci95 : row.mean_load_ci95;
@@ -187,10 +187,8 @@ std::vector<std::string> warnings(const Ranking& ranking, std::size_t ranked) {
   std::vector<std::string> ices;
   for (std::size_t i = 0; i < ranked; ++i) {
     const Json& result = ranking.rows[i].evaluation.result;
-    const Json::json_pointer at("/simulation/ice/sentence");
-    if (!result.contains(at) || result.value(Json::json_pointer("/simulation/ice/model"), "") != "paper")
-      continue;
-    const std::string words_of_ice = result.at(at).get<std::string>();
+    const std::string words_of_ice = text_at(result, result_key::simulated_ice_sentence);
+    if (words_of_ice.empty() || text_at(result, result_key::simulated_ice_model) != "paper") continue;
     if (std::find(ices.begin(), ices.end(), words_of_ice) == ices.end()) ices.push_back(words_of_ice);
   }
   words.insert(words.end(), ices.begin(), ices.end());
@@ -319,7 +317,7 @@ Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::stri
       ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) { return group(row) == 0; }));
   mark_ties(ranking, ranked);
   correlate(ranking, ranked);
-  const bool exact = rank_by == "lindqvist_breaking" || rank_by.rfind("/programs/", 0) == 0;
+  const bool exact = rank_by == "lindqvist_breaking" || result_key::is_of_program(rank_by);
   if (ranked > 0 && !exact) ranking.warnings = warnings(ranking, ranked);
   return ranking;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/model/statistics.h"
+#include "study/spec/document_keys.h"
 
 namespace icebow {
 
@@ -20,7 +21,7 @@ std::string repeat_name(const std::string& design, int number) {
 
 Json repeat_document(Json document, int number) {
   if (number == 1) return document;
-  const Json::json_pointer seed("/solver/seed");
+  const Json::json_pointer seed(document_key::solver_seed);
   const bool given = document.contains(seed) && document.at(seed).is_number();
   document[seed] = (given ? document.at(seed).get<double>() : 0.0) + (number - 1);
   return document;

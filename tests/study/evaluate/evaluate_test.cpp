@@ -4,9 +4,11 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "base/json_fields.h"
 #include "formula/lindqvist.h"
 #include "study/evaluate/cycle_run.h"
 #include "study/evaluate/evaluator_inputs.h"
+#include "study/evaluate/process_json.h"
 #include "study/evaluate/result_keys.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
@@ -29,6 +31,13 @@ Design design_of(const std::string& patch) {
 
 Evaluation evaluated(const std::string& patch, const EvaluateOptions& options = {}) {
   return evaluate(test_world(), design_of(patch), options);
+}
+
+void check_has(const Json& json, const std::vector<std::string>& pointers) {
+  for (const std::string& pointer : pointers) {
+    CAPTURE(pointer);
+    CHECK(json.contains(Json::json_pointer(pointer)));
+  }
 }
 
 bool exists(const std::string& path) {
@@ -56,7 +65,8 @@ TEST_CASE("a design becomes a result with all its files, the same on every rank"
   CHECK(r.at("hull").at("feasible") == true);
   CHECK(r.at("parameters").at("/bow/stem_deg") == 25.0);
   CHECK(r.at("simulation").at("nz") == 1);
-  for (const std::string& key : result_key::all()) CHECK(r.contains(Json::json_pointer(key)) == true);
+  check_has(r, result_key::all());
+  check_has(part_at(r, result_key::pictures).at(0), {result_key::picture_file, result_key::picture_advance});
   CHECK(r.at("simulation").at("lambda") == 25);
   CHECK(r.at("provenance").at("ranks") == test_world().size());
   if (test_world().is_root()) {
@@ -79,6 +89,15 @@ TEST_CASE("a design becomes a result with all its files, the same on every rank"
     CHECK(r.at("profile").at(0).at("phase") == "drift");
     CHECK(r.at("profile").at(0).at("share").get<double>() > 0.0);
   }
+}
+
+TEST_CASE("keys that few results have are where they are looked for") {
+  BreakingProcess process;
+  process.cracks.list.emplace_back();
+  check_has(part_at({{"process", process_json(process)}}, result_key::crack_list).at(0),
+            {result_key::crack_kind, result_key::crack_opened, result_key::crack_length});
+  check_has({{"cycle", {{"same_way", same_way_json({})}}}},
+            {result_key::cycle_same_way_load, result_key::cycle_same_way_ci95});
 }
 
 TEST_CASE("an impossible bow is infeasible, with margins and without a simulation") {
@@ -158,6 +177,7 @@ TEST_CASE("the breaking cycle alone has the fields of a simulation, the same on 
   REQUIRE(e.status == EvaluationStatus::ok);
   CHECK(json_text(to_json(e)) == test_world().broadcast(json_text(to_json(e))));
   const Json &r = e.result, &cycle = r.at("cycle");
+  check_has(r, {std::begin(result_key::of_every_cycle), std::end(result_key::of_every_cycle)});
   const double mean = cycle.at("mean_load_N").get<double>();
   double parts = 0.0;
   for (const char* part : {"crushing_N", "bending_N", "friction_N", "submersion_N", "water_N"})

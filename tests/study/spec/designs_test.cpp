@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "study/plan/design_space.h"
 #include "study/spec/design_name.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_method.h"
@@ -57,6 +58,26 @@ TEST_CASE("methods are read with their defaults") {
           .method;
   CHECK(grid.variables[0].levels == 4);
   CHECK(grid.variables[1].values == std::vector<double>{0.5, 1.0});
+}
+
+TEST_CASE("what is looked up in a study file is where the reader takes it from") {
+  const Json document = with(R"({"name": "all", "purpose": "keys", "solver": {"seed": 3},
+    "evaluators": ["lindqvist"], "constraints": [{"at": "/hydrostatics/displacement_kg", "min": 1}],
+    "scenarios": [{"name": "thin", "weight": 2, "set": {"ice": {"thickness_m": 0.5}}}],
+    "ranking": {"over_scenarios": "worst"},
+    "method": {"type": "latin_hypercube", "samples": 8, "extends": [4],
+               "variables": {"/bow/stem_deg": {"min": 18, "max": 30}}}})");
+  CHECK(mistakes_of(document).empty());  // a key that the reader does not know would be one
+  const auto has = [](const Json& json, const char* pointer) {
+    CAPTURE(pointer);
+    CHECK(json.contains(Json::json_pointer(pointer)));
+  };
+  for (const char* pointer : document_key::all) has(document, pointer);
+  has(document.at("constraints")[0], document_key::constraint_at);
+  has(document.at("scenarios")[0], document_key::scenario_name);
+  has(document.at("scenarios")[0], document_key::scenario_weight);
+  has(document.at("method").at("variables").front(), document_key::variable_min);
+  has(document.at("method").at("variables").front(), document_key::variable_max);
 }
 
 TEST_CASE("--set changes, creates and is checked by the reader") {
