@@ -201,8 +201,9 @@ TEST_CASE("Voyage: check values of the published bow at rest") {
   constexpr double ratio = 0.05;  // the intervals alone, 3 and 2 %
   CHECK(with(&Ice::friction, 0.0) == Approx(0.71).epsilon(ratio));
   CHECK(with(&Ice::friction, 0.16) == Approx(1.17).epsilon(ratio));
-  CHECK(with(&Ice::h, 0.75) == Approx(0.69).epsilon(0.06));
-  CHECK(with(&Ice::h, 1.5) == Approx(1.55).epsilon(0.10));
+  CHECK(with(&Ice::h, 0.75) == Approx(0.69).epsilon(ratio));
+  CHECK(with(&Ice::h, 1.5) ==
+        Approx(1.55).epsilon(0.10));  // found 1.70: 6 % of four intervals, 3 % of its raster and steps
   BreakingRule plate_rule;
   plate_rule.type = Breaking::plate;
   CHECK(published(ice, plate_rule) == Approx(0.325e6).epsilon(level));

@@ -86,7 +86,7 @@ void compare_sign_with_winding_number(const QuadMesh& mesh, const std::vector<Ve
   int wrong = 0;
   for (const Vec3& p : points) {
     const ClosestPoint at = closest_brute_force(surface, p);
-    if (std::abs(at.signed_distance) < 1e-9) continue;
+    if (std::abs(at.signed_distance) < 1e-9) continue;  // on the surface: neither inside nor outside
     wrong += (winding_number(surface, p) > 0.5) != (at.signed_distance < 0.0);
   }
   CHECK(wrong == 0);

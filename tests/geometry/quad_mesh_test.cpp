@@ -72,7 +72,7 @@ TEST_CASE("triangles count once") {
 TEST_CASE("scaling multiplies points and leaves panels and patches alone") {
   const QuadMesh full = box_mesh(2.0, 3.0, 4.0, Vec3(1.0, 2.0, 3.0));
   const QuadMesh model = scaled(full, 1.0 / 25.0);
-  CHECK((model.points[7] - full.points[7] / 25.0).norm() < 1e-15);
+  CHECK((model.points[7] - full.points[7] / 25.0).norm() < 1e-15);  // rounding of 1/25
   CHECK(model.quads == full.quads);
   CHECK(model.patch == full.patch);
   CHECK(enclosed_volume(model) == Approx(24.0 / (25.0 * 25.0 * 25.0)));

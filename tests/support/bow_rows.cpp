@@ -27,10 +27,10 @@ Row row(const QuadMesh& mesh, int along, const std::function<bool(const Vec3&)>&
 }  // namespace
 
 Row waterline_row(const QuadMesh& mesh) {
-  return row(mesh, 1, [](const Vec3& p) { return std::abs(p.z()) < 1e-9 && p.y() > -1e-9; });
+  return row(mesh, 1, [](const Vec3& p) { return std::abs(p.z()) < 1e-9 && p.y() > -1e-9; });  // [m] rounding
 }
 Row buttock_row(const QuadMesh& mesh, double y) {
-  return row(mesh, 2, [y](const Vec3& p) { return std::abs(p.y() - y) < 1e-9; });
+  return row(mesh, 2, [y](const Vec3& p) { return std::abs(p.y() - y) < 1e-9; });  // [m] rounding
 }
 
 }  // namespace icebow

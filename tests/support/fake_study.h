@@ -48,7 +48,7 @@ inline Evaluation fake_evaluate(const Communicator&, const Design& design, const
   e.name = design.name;
   e.key = "a fake does not know its key";
   const double stem = degrees(c.bow.angles.stem), waterline = degrees(c.bow.angles.waterline);
-  if (fake_margins(c)[0].value < -1e-12) {
+  if (fake_margins(c)[0].value < -1e-12) {  // rounding of degrees to radians
     e.status = EvaluationStatus::infeasible;
     e.reason = "stem beyond 35 deg";
     return e;

@@ -64,7 +64,7 @@ TEST_CASE("a floe at its draught stays; pushed down it heaves with the period 2 
   {
     IceBlock ice(s);
     Motion(ice, s, gravity).run(0.3, [](double) { return true; });
-    CHECK(std::abs(mean_displacement(ice, 2)) < 1e-3 * s.ice.h);
+    CHECK(std::abs(mean_displacement(ice, 2)) < 1e-3 * s.ice.h);  // afloat from the start: single precision
   }
   IceBlock ice(s);
   ice.displace([&](const Vec3&) -> Vec3 { return {0.0, 0.0, -0.05 * s.ice.h}; });
@@ -140,9 +140,8 @@ TEST_CASE("the lift of a turned, partly submerged floe is the weight of the wate
   }
   INFO("error of the displaced volume, of the floe's: largest " << largest << ", root of mean square "
                                                                 << std::sqrt(squares / n));
-  // A particle meets the water as an upright cube, whatever its floe's tilt.
-  CHECK(largest < 3e-3);
-  CHECK(std::sqrt(squares / n) < 5e-4);
+  CHECK(largest < 3e-3);  // found 1.4e-3: particles meet the water as upright cubes, however tilted
+  CHECK(std::sqrt(squares / n) < 5e-4);  // found 2.0e-4: likewise
 }
 
 TEST_CASE("a submerged floe has its weight in water, whatever its tilt") {

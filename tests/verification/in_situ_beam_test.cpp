@@ -50,7 +50,7 @@ TEST_CASE("up and down an in-situ beam is as strong") {
   const double up = virtual_in_situ_test(s, Push::up).flexural_strength,
                down = virtual_in_situ_test(s, Push::down).flexural_strength;
   INFO("down over up " << down / up);
-  CHECK(down == Approx(up).epsilon(0.01));
+  CHECK(down == Approx(up).epsilon(0.001));  // found equal; bonds within 1e-3 break together
 }
 
 TEST_CASE("the sheet around an in-situ beam is large enough for its strength") {
@@ -58,7 +58,7 @@ TEST_CASE("the sheet around an in-situ beam is large enough for its strength") {
     const double found = virtual_in_situ_test(s, Push::up).flexural_strength,
                  larger = virtual_in_situ_test(s, Push::up, {10, 10, 1, SheetEdges::held}).flexural_strength;
     INFO("2 layers, over that in a sheet of 10 h around: " << found / larger);
-    CHECK(found == Approx(larger).epsilon(0.03));
+    CHECK(found == Approx(larger).epsilon(0.03));  // found 0.991 and 0.999: the water's share
   }
 }
 

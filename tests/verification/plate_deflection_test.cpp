@@ -20,7 +20,7 @@ TEST_CASE("the plate is wide enough, and thin enough for its length") {
   const double found = virtual_plate_test(s), wider = virtual_plate_test(s, 4.0, 12.0),
                thinner = virtual_plate_test(s, 8.0, 8.0);
   INFO("2 layers, over a plate of 12 l: " << found / wider << "; over one of l = 8 h: " << found / thinner);
-  CHECK(found == Approx(wider).epsilon(0.01));
+  CHECK(found == Approx(wider).epsilon(0.01));    // found 1.003: shear is taken off with the bending's E
   CHECK(found == Approx(thinner).epsilon(0.02));  // likewise: shear counts less in it
 }
 

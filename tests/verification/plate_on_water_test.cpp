@@ -36,7 +36,8 @@ TEST_CASE("under a small disc a thin endless plate goes down as Hertz and Wyman 
   const double k = 9806.65, ell = 0.4, hertz = 1.0 / (8.0 * k * ell * ell);
   const PlateOnWater thin{k * std::pow(ell, 4), 1e12, k};
   CHECK(characteristic_length(thin) == Approx(ell));
-  CHECK(deflection_under_disc(thin, 1e-3, 0.0) == Approx(hertz).epsilon(2e-3));
+  CHECK(deflection_under_disc(thin, 1e-3, 0.0) ==
+        Approx(hertz).epsilon(5e-4));  // found 1.8e-4: the integral ends at 60 / ell
   // Wyman's ker' of the radius over ell, to the third power of it.
   const double a = 0.25, wyman = 1.0 + a * a / (2.0 * pi) * (std::log(0.5 * a) + 0.577216 - 1.25);
   CHECK(deflection_under_disc(thin, a * ell, 0.0) ==

@@ -92,7 +92,7 @@ TEST_CASE(
   INFO("force " << force << " N, rho c A V " << theory << " N; impulse " << total << " N s, 2 m V " << whole
                 << " N s");
   CHECK(force == Approx(theory).epsilon(0.06));  // corrected edges are too stiff, as in a bar that rings
-  CHECK(total == Approx(whole).epsilon(0.06));
+  CHECK(total == Approx(whole).epsilon(0.06));   // found 0.98: likewise
 }
 
 TEST_CASE("a bar held at its far end resists a wall with E A / L times the way it has come") {
@@ -119,7 +119,7 @@ TEST_CASE("a bar held at its far end resists a wall with E A / L times the way i
   const double slope = (late - early) / (4.0 * period) / (6.0 * period * bar.s.V);
   INFO("force over indentation " << slope << " N/m; E A / L " << theory << " N/m; the bar at rest " << own
                                  << " N/m");
-  CHECK(slope == Approx(own).epsilon(0.03));
+  CHECK(slope == Approx(own).epsilon(0.03));    // found 1.009: the bar still rings
   CHECK(slope == Approx(theory).epsilon(0.1));  // likewise
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("rigid motion and rotation of a piece of one to five layers cause no f
       b.displace([&](const Vec3& x) -> Vec3 { return turn * x - x + Vec3(0.1, -0.05, 0.2); });
       CHECK(b.accelerate() == 0);
       INFO(layers << " layers, " << angle << " rad: " << b.largest_acceleration() / strained_by_1e3);
-      CHECK(b.largest_acceleration() < 2e-2 * strained_by_1e3);
+      CHECK(b.largest_acceleration() < 2e-2 * strained_by_1e3);  // found 4.0e-3: 0.2 m in single precision
     }
   }
 }
@@ -171,7 +171,8 @@ TEST_CASE("a strip drawn out by its ends stretches by E and narrows by nu; its e
       CHECK(found.E ==
             Approx(E).epsilon(layers < 3 ? 0.15 : 0.065));  // few layers hardly feel their thinning
       CHECK(found.nu == Approx(nu).margin(layers < 3 ? 0.17 : 0.06));  // likewise
-      CHECK(found.energy_over_work == Approx(1.0).epsilon(1e-4));
+      CHECK(found.energy_over_work ==
+            Approx(1.0).epsilon(1e-4));  // found 1.5e-5: where the strip has settled
     }
   }
 }

@@ -59,8 +59,9 @@ TEST_CASE("what the tests measure is in proportion to E, strengths to E s0, at a
   large.ice.s0 = 1e-4;
   const double E = large.ice.E / small.ice.E, stress = E * large.ice.s0 / small.ice.s0;
   const BeamTest a = virtual_beam_test(small), b = virtual_beam_test(large);
-  CHECK(b.elastic_modulus == Approx(E * a.elastic_modulus).epsilon(1e-4));
-  constexpr double together = 1e-3;  // bonds within it of the weakest one break together
+  CHECK(b.elastic_modulus ==
+        Approx(E * a.elastic_modulus).epsilon(1e-4));  // equilibrium to 1e-6, root to tip
+  constexpr double together = 1e-3;                    // bonds within it of the weakest one break together
   CHECK(b.flexural_strength == Approx(stress * a.flexural_strength).epsilon(together));
   CHECK(virtual_compression_test(large).compressive_strength ==
         Approx(stress * virtual_compression_test(small).compressive_strength).epsilon(together));
@@ -84,7 +85,8 @@ TEST_CASE("the water that the virtual beam leaves out would stiffen it as a beam
                afloat = deflection_of_tip(s, 2, Surroundings::water),
                share = buoyancy_share(virtual_beam_test(s).elastic_modulus, s.ice.h, s.water.rho);
   INFO("stiffer by " << dry / afloat - 1.0 << ", expected " << share);
-  CHECK(dry / afloat - 1.0 == Approx(share).epsilon(0.15));
+  CHECK(dry / afloat - 1.0 ==
+        Approx(share).epsilon(0.15));  // found 2.28 for 2.14 %: a beam on springs has a stiff root
 }
 
 TEST_CASE("a single layer cannot bend and is refused") {

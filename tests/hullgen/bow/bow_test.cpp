@@ -24,7 +24,7 @@ Vec3 normal_near(const QuadMesh& mesh, const Vec3& point, bool port_only) {
     const auto& p = mesh.points;
     bool touches = false, port = true;
     for (int corner : q) {
-      touches = touches || (p[corner] - point).norm() < 1e-6;
+      touches = touches || (p[corner] - point).norm() < 1e-6;  // metres, where panels have decimetres
       port = port && p[corner].y() >= -1e-9;
     }
     if (touches && (port || !port_only)) sum += (p[q[2]] - p[q[0]]).cross(p[q[3]] - p[q[1]]).normalized();

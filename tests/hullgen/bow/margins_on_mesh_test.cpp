@@ -92,7 +92,8 @@ TEST_CASE("g1, g2: the waterline of the mesh widens, and is convex, where the ma
         ++(g1 > 0.0 ? widens : turns);
       }
       if (std::abs(g2) > 0.1) {
-        CHECK((largest_decrease(slope) < 1e-6) == (g2 > 0.0));
+        CHECK((largest_decrease(slope) < 1e-6) ==
+              (g2 > 0.0));  // rounding of differences lowers a straight slope
         ++(g2 > 0.0 ? convex : hollow);
       }
     }
@@ -114,7 +115,8 @@ TEST_CASE("g5: the shell of the mesh ends where the margin says") {
       ++feasible;
       const QuadMesh mesh = bow_mesh(bow);
       const double end = aft_end(mesh, Patch::bow) + reamer_step(bow);
-      CHECK(bow.L / 2.0 - end == Approx(value(f, "g5")).margin(0.01 * bow.B));
+      CHECK(bow.L / 2.0 - end ==
+            Approx(value(f, "g5")).margin(0.01 * bow.B));  // found 0.0005: panels of the aft end
       if (reamer_step(bow) > 0.0) CHECK(aft_end(mesh, Patch::reamer) == Approx(end));
     }
     CHECK(feasible == 10);

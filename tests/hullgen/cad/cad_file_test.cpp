@@ -110,7 +110,8 @@ Vec3 normal_at(const TopoDS_Shape& shape, const Vec3& p) {
 BowAngles angles(const TopoDS_Shape& shape, const QuadMesh& mesh, double beam) {
   Vec3 P1(-1e9, 0.0, 0.0);  // the transom has such a point too
   for (const Vec3& p : mesh.points)
-    if (std::abs(p.y() - beam / 4.0) < 1e-6 && std::abs(p.z()) < 1e-9 && p.x() > P1.x()) P1 = p;
+    if (std::abs(p.y() - beam / 4.0) < 1e-6 && std::abs(p.z()) < 1e-9 && p.x() > P1.x())
+      P1 = p;  // [m] rounding
   const Vec3 stem = normal_at(shape, Vec3::Zero()), quarter = normal_at(shape, P1);
   BowAngles a;
   a.stem = std::atan2(stem.x(), -stem.z());
@@ -146,7 +147,7 @@ TEST_CASE("STEP: one valid solid in metres, on the mesh, with the four angles") 
     const double off = deviation(shape, mesh, 41),
                  error = degrees(largest_difference(bow.angles, angles(shape, mesh, bow_beam(bow))));
     INFO("deviation / L " << off / bow.L << ", angles off by " << error << " deg");
-    CHECK(off < 1e-5 * bow.L);
+    CHECK(off < 1e-8 * bow.L);  // found 5e-10: millimetres of a text file with 15 digits
     CHECK(error < 0.05);
   }
 }
@@ -169,8 +170,10 @@ TEST_CASE("IGES: one valid solid in metres, on the mesh, with the four angles") 
     CHECK(BRepCheck_Analyzer(shape).IsValid());
     GProp_GProps properties;
     BRepGProp::VolumeProperties(shape, properties);
-    CHECK(std::abs(properties.Mass()) / (mm * mm * mm) == Approx(volume).epsilon(1e-5));
-    CHECK(deviation(shape, mesh, 41) < 1e-5 * bow.L);
+    CHECK(
+        std::abs(properties.Mass()) / (mm * mm * mm) ==
+        Approx(volume).epsilon(1e-5));  // the reader makes edges of its own; found 9e-6 where faces are sewn
+    CHECK(deviation(shape, mesh, 41) < 1e-8 * bow.L);  // found 5e-10, as above
     CHECK(degrees(largest_difference(bow.angles, angles(shape, mesh, bow_beam(bow)))) < 0.05);
   }
 }

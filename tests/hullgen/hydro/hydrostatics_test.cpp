@@ -171,8 +171,8 @@ TEST_CASE("an ellipsoid to its middle, converging as the square of the panel siz
     worst = std::max(worst, std::abs(h.KM_T - (5.0 / 8 * r.z() + I_T / volume)) / r.z());
     errors.push_back(worst);
     CHECK(hydrostatics(ellipsoid(Vec3(7, 7, 7), n), {}, rho).wetted_area / (2 * pi * 49) ==
-          Approx(1.0).margin(1.0 / (n * n)));  // second order in the panel size
-    CHECK(h.buoyancy.head<2>().norm() < 1e-9);
+          Approx(1.0).margin(1.0 / (n * n)));   // second order in the panel size
+    CHECK(h.buoyancy.head<2>().norm() < 1e-9);  // symmetric: rounding of metres
   }
   CHECK(errors[2] < 0.005);
   constexpr double next_order = 0.1;  // of second-order errors, with panels of 11 degrees
@@ -232,8 +232,8 @@ TEST_CASE("trim is turning the hull: nothing that floats knows the difference") 
   CHECK(a.wetted_area == Approx(b.wetted_area));
   CHECK(a.I_T == Approx(b.I_T));
   CHECK(a.I_L == Approx(b.I_L));
-  CHECK((level * a.buoyancy - b.buoyancy).norm() < 1e-8);
-  CHECK((level * a.flotation - b.flotation).norm() < 1e-8);
+  CHECK((level * a.buoyancy - b.buoyancy).norm() < 1e-8);    // rounding of metres, through a turn
+  CHECK((level * a.flotation - b.flotation).norm() < 1e-8);  // likewise
 }
 
 TEST_CASE("a surface that misses the hull is refused with the range") {

@@ -96,7 +96,7 @@ TEST_CASE("slices of a cube are closed squares") {
   for (int axis : {0, 1, 2}) {
     const auto loops = slice(cube(), axis, 0.25);
     REQUIRE(loops.size() == 1);
-    CHECK((loops[0].front() - loops[0].back()).norm() < 1e-12);
+    CHECK((loops[0].front() - loops[0].back()).norm() < 1e-12);  // ends where it begins: rounding
     double length = 0.0;
     for (std::size_t k = 1; k < loops[0].size(); ++k) {
       CHECK(loops[0][k][axis] == 0.25);

@@ -64,7 +64,8 @@ QuadMesh mended(const QuadMesh& mesh, MeshRepairs& repairs) {
   repairs = {};
   const QuadMesh result = repaired(mesh, "hull.obj", repairs);
   CHECK(check_mesh(result).reason() == "");
-  CHECK(enclosed_volume(result) == Approx(enclosed_volume(whole())).epsilon(1e-5));
+  CHECK(enclosed_volume(result) ==
+        Approx(enclosed_volume(whole())).epsilon(1e-5));  // found 7e-6: a hole closed flat
   return result;
 }
 

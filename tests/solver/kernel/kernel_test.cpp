@@ -67,7 +67,7 @@ TEST_CASE("rigid motion and a quarter turn of a floe cause no force and break no
   for (double angle : {0.0, 0.3, 1.5707963}) {
     b.displace([&](const Vec3& x) -> Vec3 { return rotated(x, angle) - x + Vec3(0.1, -0.05, 0.2); });
     CHECK(b.accelerate() == 0);
-    CHECK(b.largest_acceleration() < 2e-2 * elastic_acceleration(b));
+    CHECK(b.largest_acceleration() < 2e-2 * elastic_acceleration(b));  // found 4e-3: single precision
   }
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("bond forces cancel: no net force, no net moment") {
     sum += b.acceleration(p);
     magnitude += b.acceleration(p).norm();
   });
-  CHECK(sum.norm() < 1e-5 * magnitude);
+  CHECK(sum.norm() < 1e-7 * magnitude);  // found 5e-9: rounding of the sums
 }
 
 TEST_CASE("an overstretched bond breaks and never heals") {
@@ -169,8 +169,8 @@ TEST_CASE("linear blocks: the force of a smooth small field is that of the full 
       theta_error = std::max(theta_error, std::abs(linear.sheet.theta[p] - full.sheet.theta[p]));
     });
     INFO(nz << " layers: force " << error << ", dilatation " << theta_error);
-    CHECK(error < 1e-3);  // displacement gradients reach 3e-4
-    CHECK(theta_error < 1e-6);
+    CHECK(error < 1e-3);        // displacement gradients reach 3e-4
+    CHECK(theta_error < 2e-7);  // found 9.5e-8: second order in those gradients
   }
 }
 

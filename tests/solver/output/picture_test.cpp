@@ -256,7 +256,7 @@ TEST_CASE("Tiles follow the ice") {
                       (tiles[i].y.cast<double>() - ice.dx * R.col(1)).norm(),
                       (tiles[i].z.cast<double>() - ice.dx * R.col(2)).norm()});
   }
-  CHECK(worst < 1e-3 * ice.dx);
+  CHECK(worst < 1e-4 * ice.dx);  // found 7e-6: single precision of positions
 }
 
 TEST_CASE("Section of a hull: closed loops of the right length") {

@@ -334,10 +334,10 @@ TEST_CASE(
     "pieces that slide along each other are held by Coulomb's friction, and creep where they are slow") {
   if (test_world().size() > 1) return;
   const Sliding fast = slide(0.3, 0.2), smooth = slide(0.0, 0.2);
-  CHECK(std::abs(smooth.left.y()) < 1e-3 * std::abs(smooth.left.x()));
-  CHECK(fast.left.x() == Approx(smooth.left.x()).epsilon(1e-4));       // single precision
-  CHECK(fast.left.y() == Approx(-0.3 * fast.left.x()).epsilon(1e-3));  // dragged along
-  CHECK((fast.left + fast.right).norm() < 1e-3 * fast.left.norm());
+  CHECK(std::abs(smooth.left.y()) < 1e-6 * std::abs(smooth.left.x()));     // single precision
+  CHECK(fast.left.x() == Approx(smooth.left.x()).epsilon(1e-4));           // single precision
+  CHECK(fast.left.y() == Approx(-0.3 * fast.left.x()).epsilon(1e-3));      // dragged along
+  CHECK((fast.left + fast.right).norm() < 1e-6 * fast.left.norm());        // single precision
   CHECK(slide(0.3, 0.4).left.y() == Approx(fast.left.y()).epsilon(1e-3));  // likewise
   // Friction takes its force times the way; within the step it slows what it holds by some per cent.
   CHECK(fast.taken - smooth.taken ==

@@ -47,15 +47,16 @@ TEST_CASE("calibrated ice measures as it was asked to") {
       found.ice = calibrated_ice(s.ice, strength, numbers);
       const BeamTest beam = virtual_beam_test(found);
       INFO(layers << " layers, " << strength << " Pa: found E " << found.ice.E << " Pa, s0 " << found.ice.s0);
-      CHECK(virtual_plate_test(found) == Approx(s.ice.E).epsilon(0.03));
-      CHECK(beam.flexural_strength == Approx(strength).epsilon(0.03));
-      CHECK(found.ice.E > s.ice.E);  // few layers bend too easily
+      CHECK(virtual_plate_test(found) == Approx(s.ice.E).epsilon(0.01));  // found 1.000; equilibrium, to 1e-6
+      CHECK(beam.flexural_strength == Approx(strength).epsilon(0.01));    // likewise
+      CHECK(found.ice.E > s.ice.E);                                       // few layers bend too easily
       if (layers > 3 || strength != 35e3) continue;
       for (const double compressive : {60e3, 105e3, 250e3}) {
         Scenario crushed = s;
         crushed.ice.crushing_pressure = compressive;
         crushed.ice = calibrated_ice(crushed.ice, strength, numbers);
-        CHECK(virtual_compression_test(crushed).compressive_strength == Approx(compressive).epsilon(0.1));
+        CHECK(virtual_compression_test(crushed).compressive_strength ==
+              Approx(compressive).epsilon(0.1));  // particles of the faces are counted whole
       }
     }
   }
@@ -79,7 +80,7 @@ TEST_CASE("numbers of a lattice are stored, and found again where they were not 
   write_text_file(file.string(), stored.dump());
   CHECK(lattice_numbers(s, directory.str()).modulus == 0.25);
   write_text_file(file.string(), "half a fi");
-  CHECK(lattice_numbers(s, directory.str()).flexural == Approx(numbers.flexural).epsilon(1e-3));
+  CHECK(lattice_numbers(s, directory.str()).flexural == Approx(numbers.flexural));
 }
 
 TEST_CASE("another lattice has other numbers") {
