@@ -8,7 +8,7 @@
 
 namespace icebow {
 
-// Whether the name ends as those of STEP and IGES files do, in any case.
+// Whether the name ends like a STEP or IGES file's, in any case.
 bool is_cad_file(const std::string& path);
 
 // The surfaces of a .step, .stp, .igs or .iges file as triangles, in metres whatever the file's unit; axes as

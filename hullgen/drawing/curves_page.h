@@ -19,7 +19,7 @@ struct CurvesPage {
   double water_density = 0.0;         //!< [kg/m^3]
 };
 
-// A self-contained <svg> element; colours as those of lines_plan_svg().
+// A self-contained <svg> element in the colours of lines_plan_svg().
 std::string curves_page_svg(const CurvesPage& page, DrawnFor reader = DrawnFor::screen);
 
 }  // namespace icebow

@@ -16,8 +16,8 @@ struct Offsets {
   std::vector<std::vector<double>> y;                // [station][waterline]; NaN beyond the waterline's ends
 };
 
-// Of a closed hull about y = 0. Waterlines are evenly spaced from keel to top, the ends a ten-thousandth of
-// the depth inside; stations evenly from fore to aft with twice as many in the foremost quarter.
+// Offsets of a closed hull about y = 0. Waterlines lie evenly from keel to top, the ends a ten-thousandth of
+// the depth inside. Stations lie evenly from fore to aft, with twice as many in the foremost quarter.
 Offsets offsets_of(const QuadMesh& mesh, int waterlines = 41, int stations = 41);
 
 // Comma-separated: a head "x_m" and the heights, rows "fore end", "fore half-breadth", "aft end" and "aft

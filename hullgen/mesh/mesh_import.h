@@ -9,7 +9,7 @@
 
 namespace icebow {
 
-// Whether the name ends as those of mesh files do: .obj, .stl or .ply, in any case.
+// Whether the name ends like a mesh file's: .obj, .stl or .ply, in any case.
 bool is_mesh_file(const std::string& path);
 
 // The panels of an .obj, .stl (either kind) or .ply file, coordinates as they stand there. Panels of more

@@ -12,8 +12,8 @@ struct Drift {
   bool told() const { return p < told_apart_below; }
 };
 
-// Of the samples from `from` to `to` [m, as the series' advance]; equally spaced in time. p is 1 where there
-// are too few.
+// The drift over the samples from `from` to `to` [m, as the series' advance]; equally spaced in time. p is 1
+// where there are too few.
 Drift drift_of(const LoadSeries& series, double from, double to);
 
 }  // namespace icebow

@@ -6,8 +6,8 @@
 
 namespace icebow {
 
-// Of n[0] x n[1] x n[2] cells, x running fastest, the steps to the nearest marked one, a step going to any of
-// the 26 cells around: 0 for marked cells, `most_cells_away` where it is that or more.
+// For each of n[0] x n[1] x n[2] cells, x running fastest: steps to the nearest marked cell. A step goes to
+// any of the 26 cells around. 0 for marked cells; `most_cells_away` stands for as many or more.
 constexpr std::uint8_t most_cells_away = 200;
 std::vector<std::uint8_t> cell_distances(const int (&n)[3], const std::vector<std::uint8_t>& marked);
 

@@ -24,7 +24,7 @@ class SecondMoments {
   double x() const { return x0_ + x_ / n_; }  // of the centre
   double y() const { return y0_ + y_ / n_; }
 
-  // Of squares of this side, at least one of which was added. A rectangle of sides a, b has a^2/12, b^2/12.
+  // The squares have this side, and at least one was added. A rectangle of sides a, b has a^2/12, b^2/12.
   MainAxes axes(double side) const {
     const double own = side * side / 12.0, mx = x_ / n_, my = y_ / n_;
     const double xx = xx_ / n_ - mx * mx + own, yy = yy_ / n_ - my * my + own, xy = xy_ / n_ - mx * my;

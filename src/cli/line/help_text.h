@@ -13,7 +13,7 @@ std::string help_text();
 std::string help_text(const Command& command);
 // roff source of icebow(1).
 std::string man_page();
-// Of "bash", "zsh" or "fish". Throws InputError for another word.
+// `shell` is "bash", "zsh" or "fish". Throws InputError for another word.
 std::string completion_script(const std::string& shell);
 
 // Words of `text` in lines of at most `width` columns, each begun with `indent` spaces but the first; a

@@ -32,7 +32,7 @@ class ContactLedger {
   void struck(std::size_t p, double z, const Vec3& v_before, const Vec3& delta_v, const Vec3& push);
   // When forces are known: the step's strikes are accounted for.
   void close_step(const IceSheet& sheet);
-  // Of the step closed last, by place.
+  // The strikes of the step closed last, by place.
   std::vector<HullStrike> strikes() const;
   // What its relocations did against forces that came after the step was closed.
   void add_work(std::int64_t quanta) { counts_.gain += quanta; }

@@ -15,8 +15,8 @@ class CrushWatch {
   explicit CrushWatch(const Layout& layout);
 
   void start_step();
-  // Of column jl: blocks with a particle newly crushed within a bond's reach. Columns upwards from 0.
-  // extra_strength: of the first own particle.
+  // Blocks of column jl with a newly crushed particle within a bond's reach. Columns upwards from 0.
+  // `extra_strength` points to the first own particle's.
   const std::uint8_t* near(const Passes<Real>& passes, const Real* extra_strength, int jl);
   // All that are crushed count as new in the next step: the ice has been renumbered, or comes from elsewhere.
   void forget();

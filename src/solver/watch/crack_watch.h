@@ -21,8 +21,8 @@ struct CrackedColumn {
   std::int64_t i = 0, j = 0;  // i from the edge the ship came in by, whatever a moving window has dropped
   double opened = 0.0;        //!< advance at which it had cracked [m]
   double crushed = std::numeric_limits<double>::infinity();  //!< advance [m]; infinite: it never was
-  // Of the bonds broken when it opened, each with the square of its length in the plane: mean of cos and sin
-  // of twice their angle to the course. They lie about the crack's normal; (0, 0) would be no direction.
+  // Direction of the crack's normal: mean of cos and sin of twice the angle to the course, over the bonds
+  // that were broken when it opened, each with the square of its length in the plane. (0, 0) is no direction.
   double cos2 = 0.0, sin2 = 0.0;
 };
 

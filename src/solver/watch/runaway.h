@@ -7,8 +7,8 @@
 
 namespace icebow {
 
-// Of the particle at place p of this rank's fields: a time step above `dt_limit` (0 = unknown), contact with
-// the hull, or ice that is squeezed or stretched far beyond what the limit was computed for.
+// Why the particle at place p of this rank's fields runs away: a time step above `dt_limit` (0 = unknown),
+// contact with the hull, or ice that is squeezed or stretched far beyond what the limit was computed for.
 std::string likely_cause(const Stepper& stepper, std::size_t p, double dt_limit);
 
 }  // namespace icebow

@@ -20,7 +20,7 @@ class AbsorbingEdges {
 
  private:
   double rate_at(double distance) const;  // from the nearest absorbing edge
-  // Of particle p at height z; returns the energy taken [J].
+  // Damps particle p at height z; returns the energy taken [J].
   double damp(IceSheet& sheet, std::size_t p, double z, double rate) const;
 
   EnergyModel model_;

@@ -45,7 +45,7 @@ struct SameWay {
   double mean = 0.0, ci95 = 0.0;  //!< of voyages with seeds of their own, Student's t [N]
 };
 
-// Of a case whose run_cycle() has a load, which has `under_hull` [N] below a hull in the ice as a whole.
+// The case's run_cycle() has a load, of it `under_hull` [N] below a hull that is wholly in the ice.
 SameWay run_same_way(const Case& c, const QuadMesh& hull, const cycle::BreakingRule& rule, double under_hull);
 Json same_way_json(const SameWay& way);
 

@@ -16,7 +16,7 @@ struct PatchPlan {
   std::vector<double> widths_h = {1.0, 2.0, 4.0, 8.0};  // over the thickness
   std::vector<double> edge_speeds;                      //!< full scale [m/s]
 };
-// Speeds around those with which this case's ship drives an edge down: a tenth, a third and all of its own.
+// Speeds: a tenth, a third and all of the speed with which this case's ship drives an edge down.
 PatchPlan patch_plan(const Case& c);
 
 // One test; capacity and length are NaN where the edge did not break within the plate's way. Collective.

@@ -16,7 +16,7 @@ bool is_study_directory(const std::string& path);
 // For readers, also while a run writes. Throws InputError where there is none.
 Store open_store_of(const std::string& directory);
 
-// Of the present study, with its race where it has one.
+// The ranking of the present study, with its race where it has one.
 Ranking stored_ranking(const Store& store);
 
 // The document that the directory was last run with.

@@ -31,8 +31,8 @@ struct RaceStanding {
   bool decided = false;
 };
 
-// After leg `leg` (1, 2 ...). `in` are those that were in before it: all of them in the first one. At least
-// one must be in. Who is out stays out, but counts as one of those compared.
+// After leg `leg` (1, 2 ...). `in` says which designs were in before it: all of them in the first leg. At
+// least one must be in. A design that is out stays out, but counts among the designs compared.
 RaceStanding standing(const std::vector<MeanEstimate>& loads, const std::vector<bool>& in, int leg,
                       const RaceRule& rule);
 

@@ -38,13 +38,13 @@ struct RaceRecord {
 bool is_in(const RaceLeg& leg, const std::string& design);
 
 Json to_json(const RaceRecord& record);
-// Of what to_json() made; a record without a race where `json` is none.
+// Reads what to_json() made; a record without a race where `json` is null.
 RaceRecord race_record_from_json(const Json& json);
 
 // "Decided: d003 is at most 4 % above the lowest mean load of 10 designs ..."; empty where there was no race.
 std::string race_in_words(const RaceRecord& record);
 
-// Of one design: "leads", "may be the lowest", "out in leg 2"; empty where it did not race.
+// What is said of one design: "leads", "may be the lowest", "out in leg 2"; empty where it did not race.
 std::string place_in_race(const RaceRecord& record, const std::string& design);
 
 }  // namespace icebow

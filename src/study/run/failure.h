@@ -15,7 +15,7 @@ namespace icebow {
 // The reason of a design that ran longer than its study allows, and its cause.
 std::string time_limit_reason(double limit_s);
 Json time_limit_failure(double limit_s);
-// Of a process that was lost: another version of the program may not lose it.
+// The failure of a process that was lost: another version of the program may not lose it.
 Json crash_failure();
 
 // What has changed since `failed` failed, in words, such that the design deserves another attempt; empty

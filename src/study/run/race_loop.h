@@ -26,7 +26,7 @@ struct RaceHooks {
 RaceRecord run_race(const StudySpec& spec, Store& store, const std::vector<PlannedDesign>& designs,
                     const RaceHooks& hooks);
 
-// Of a store: that of the present study; none where there is none, or its record is damaged.
+// The race of the store's present study; a record without a race where there is none, or it is damaged.
 RaceRecord read_race(const Store& store);
 void forget_race(Store& store);
 

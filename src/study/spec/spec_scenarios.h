@@ -11,8 +11,8 @@ namespace icebow {
 // parse_case(), which reads the scenarios of a document and whose cases they are.
 using CaseReader = std::function<Case(const Json& document, Mistakes& mistakes)>;
 
-// Fills c.scenarios, and c.by_worst as /ranking/over_scenarios says. Notes its mistakes, under
-// /scenarios/K/set those that the file itself does not have.
+// Fills c.scenarios, and c.by_worst as /ranking/over_scenarios says. Notes its mistakes; a mistake that the
+// file has without the scenario is not noted again under /scenarios/K/set.
 void read_scenarios(const Json& document, const CaseReader& reader, Case& c, Mistakes& mistakes);
 
 // What does not go together with scenarios: a simulation, and variables that belong to the conditions.

@@ -14,7 +14,7 @@ namespace icebow {
 // Throws InputError naming the file and the line.
 void take_in_table(Json& document, const std::string& study_file);
 
-// Columns (pointers into the study file) as variables, whose ranges are those of the numbers, and the rows.
+// Reads columns (pointers into the study file) as variables with the ranges of their numbers, and the rows.
 // Notes its mistakes.
 void parse_table(const Json& document, Method& method, Mistakes& mistakes);
 
