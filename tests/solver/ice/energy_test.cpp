@@ -142,7 +142,7 @@ TEST_CASE("a floe rising in the water turns its lift into motion") {
   ice.displace([&](const Vec3&) -> Vec3 { return {0.0, 0.0, -3.0 * s.ice.h}; });
   Motion motion(ice, s, 0.8);
   const Joules start = motion.energy();
-  CHECK(start.kinetic == 0.0);
+  CHECK(start.kinetic == Approx(0.0).margin(1e-9));  // at rest, but for a kick of half a step
   const double drift = motion.drift_of_total(6000) / start.potential;
   INFO("relative drift " << drift);
   CHECK(drift < 3e-4);  // found: 5e-5
