@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace icebow {
@@ -30,7 +31,8 @@ ObjMesh read_obj(const std::string& path) {
     } else if (line[0] == 'f') {
       std::vector<int> face;
       for (long corner = std::strtol(at, &end, 10); end != at; corner = std::strtol(at, &end, 10)) {
-        face.push_back(static_cast<int>(corner) - 1);
+        const bool counts = corner > 0 && corner <= std::numeric_limits<int>::max();
+        face.push_back(counts ? static_cast<int>(corner - 1) : -1);
         at = end + std::strcspn(end, " \t");  // "12/3/4": texture and normal are of no interest
       }
       mesh.faces.push_back(face);

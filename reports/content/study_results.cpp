@@ -32,7 +32,7 @@ std::string study_name(const StudyResults& study) {
 Json study_document(const std::string& directory, const Store& store) {
   const fs::path file = fs::path(directory) / "study.json";
   try {
-    if (fs::exists(file)) return read_json_file(file.string());
+    if (fs::is_regular_file(fs::symlink_status(file))) return read_json_file(file.string());
     const std::string fact = store.fact("study");
     return fact.empty() ? Json() : parse_json(fact, "study");
   } catch (const InputError&) {

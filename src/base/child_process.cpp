@@ -46,7 +46,7 @@ struct Ends {
 [[noreturn]] void become(char* const* arguments, char* const* environment, const char* directory,
                          const Ends& ends, pid_t parent, int death_signal) {
   setpgid(0, 0);
-  if (death_signal != 0) prctl(PR_SET_PDEATHSIG, death_signal);
+  prctl(PR_SET_PDEATHSIG, death_signal);
   if (getppid() != parent) _exit(127);  // it died before the line above
   sigset_t none;
   sigemptyset(&none);
@@ -92,7 +92,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) : start_(Clock::now()) {
   pid_ = fork();
   if (pid_ == 0) {
     become(arguments.data(), environment.data(), command.directory.c_str(),
-           {input, output.write, log, trouble.write}, parent, command.ends_with_us ? SIGTERM : 0);
+           {input, output.write, log, trouble.write}, parent, command.when_we_die);
   }
   const int fork_error = errno;
   for (const int file : {input, log, output.write, trouble.write}) ::close(file);
@@ -122,18 +122,22 @@ ChildProcess::~ChildProcess() {
 }
 
 std::vector<std::string> ChildProcess::read_lines() {
-  std::array<char, 4096> buffer;
+  constexpr std::size_t most_at_once = std::size_t{1} << 20, longest_line = std::size_t{1} << 24;
+  std::array<char, 65536> buffer;
   ssize_t n = -1;
-  while (output_ >= 0 && (n = ::read(output_, buffer.data(), buffer.size())) > 0) {
+  for (std::size_t taken = 0; output_ >= 0 && taken < most_at_once; taken += static_cast<std::size_t>(n)) {
+    n = ::read(output_, buffer.data(), buffer.size());
+    if (n <= 0) break;
     partial_line_.append(buffer.data(), static_cast<std::size_t>(n));
   }
   if (n == 0) ::close(std::exchange(output_, -1));  // no more to come: poll() would report that over and over
   std::vector<std::string> lines;
-  for (std::size_t end; (end = partial_line_.find('\n')) != std::string::npos;) {
-    lines.push_back(partial_line_.substr(0, end));
-    partial_line_.erase(0, end + 1);
-  }
-  if (n == 0 && !partial_line_.empty()) lines.push_back(std::exchange(partial_line_, ""));
+  std::size_t begin = 0;
+  for (std::size_t end; (end = partial_line_.find('\n', begin)) != std::string::npos; begin = end + 1)
+    lines.push_back(partial_line_.substr(begin, end - begin));
+  partial_line_.erase(0, begin);
+  if ((n == 0 && !partial_line_.empty()) || partial_line_.size() > longest_line)
+    lines.push_back(std::exchange(partial_line_, ""));
   return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct ChildCommand {
   std::string log;                       // takes its stderr
   std::string input;                     // what it reads on its stdin; empty: nothing
   std::string directory;                 // where it runs; empty: where this process is
-  bool ends_with_us = true;              // the kernel ends it when this process dies, however that happens
+  int when_we_die = SIGTERM;  // what the kernel sends it when this process dies, however that happens
 };
 
 class ChildProcess {
@@ -28,9 +29,11 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   int output() const { return output_; }  // file descriptor of its stdout, for poll(); -1 once it is closed
-  std::vector<std::string> read_lines();  // whole lines that have come since, and at the end what is left
-  bool running();                         // false once it has ended; the exit status is then known
-  double seconds() const;                 // since the start
+  // Whole lines that have come since, and at the end what is left; of a flood some, the rest when it is
+  // called again. A line of more than 16 MB comes in parts.
+  std::vector<std::string> read_lines();
+  bool running();          // false once it has ended; the exit status is then known
+  double seconds() const;  // since the start
 
   // SIGTERM to the group; SIGKILL where it still runs after the grace period. The latter needs running() to
   // be called.

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "base/text_encoding.h"
 
 namespace icebow {
 namespace {
@@ -146,6 +147,8 @@ class Checker : public nlohmann::json_sax<Json> {
 }  // namespace
 
 Json parse_json(const std::string& text, const std::string& name) {
+  const std::string no_text = why_no_text(text);
+  if (!no_text.empty()) throw InputError(name, {{"the file", no_text}});
   std::size_t taken = 0;
   Checker checker(text, taken);
   const char* begin = text.data();

@@ -1,6 +1,8 @@
 #include "base/text_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,6 +22,18 @@ int made_anew(const std::string& path) {
   const int file = make();
   if (file >= 0 || errno != EEXIST) return file;
   return ::unlink(path.c_str()) == 0 ? make() : -1;
+}
+
+constexpr int patience_ms = 5000;
+
+// Of a pipe, which would keep us waiting for ever; from then on it is waited for as usual.
+bool somebody_writes(int file) {
+  struct stat kind = {};
+  const bool pipe = ::fstat(file, &kind) == 0 && S_ISFIFO(kind.st_mode);
+  pollfd wait = {file, POLLIN, 0};
+  if (pipe && ::poll(&wait, 1, patience_ms) <= 0) return false;
+  ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return true;
 }
 
 bool write_all(int file, const std::string& text) {
@@ -52,8 +66,12 @@ void write_text_file(const std::string& path, const std::string& text) {
 
 std::string read_text_file(const std::string& path, std::uint64_t most) {
   const auto fail = [&](const std::string& why) { throw InputError("cannot read " + path + ": " + why); };
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) fail(std::strerror(errno));
+  if (!somebody_writes(file)) {
+    ::close(file);
+    fail("it is a pipe to which nobody has written for " + std::to_string(patience_ms / 1000) + " s");
+  }
   std::string text;
   char buffer[1 << 16];
   ssize_t n = 0;

@@ -2,10 +2,10 @@
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/stop_signal.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/ranking_text.h"
-#include "cli/stop_signal.h"
 #include "cli/study_choice.h"
 #include "reports/html/html_report.h"
 #include "reports/tables/table_report.h"
@@ -31,6 +31,7 @@ RunSettings settings_for(const Arguments& arguments) {
   settings.jobs = jobs(arguments);
   settings.retry_failed = arguments.has("--retry-failed");
   settings.stop = StopSignal::raised;
+  settings.checkpoint_now = StopSignal::checkpoint_asked;
   return settings;
 }
 

@@ -4,10 +4,10 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "base/stop_signal.h"
 #include "cli/commands.h"
 #include "cli/process_text.h"
 #include "cli/progress.h"
-#include "cli/stop_signal.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "study/evaluate/evaluate.h"
@@ -31,6 +31,7 @@ EvaluateOptions options_for(const Arguments& arguments, const std::string& desig
   options.directory = arguments.value("--out");
   options.on_progress = [&display, design](const Progress& p) { display.on_progress(design, p); };
   options.stop = StopSignal::raised;
+  options.checkpoint_now = StopSignal::checkpoint_asked;
   options.resume = arguments.has("--restart") ? Resume::never : Resume::always;
   options.on_resume = [&display, options](std::int64_t step) {
     display.announce("continues at step " + std::to_string(step) + " from " + options.directory + "/" +

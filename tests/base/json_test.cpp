@@ -1,12 +1,14 @@
 #include "base/json.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "base/errors.h"
 #include "base/printable.h"
@@ -55,6 +57,22 @@ TEST_CASE("text after the document and an empty document are mistakes") {
   CHECK(mistakes_of("{\"a\": NaN}").size() == 1);
 }
 
+TEST_CASE("nothing behind a zero byte is left out without a word, and UTF-16 is called by its name") {
+  const std::string json = "{\"a\": 1}";
+  for (const std::string& behind : {std::string("\0", 1), std::string("\0{} nonsense", 12)}) {
+    const auto mistakes = mistakes_of(json + behind);
+    REQUIRE(mistakes.size() == 1);
+    CHECK(mistakes[0].message.find("zero byte, byte 9,") != std::string::npos);
+  }
+  for (const bool little : {true, false}) {
+    std::string wide = little ? "\xff\xfe" : "\xfe\xff";
+    for (const char c : json) wide += little ? std::string{c, '\0'} : std::string{'\0', c};
+    REQUIRE(mistakes_of(wide).size() == 1);
+    CHECK(mistakes_of(wide)[0].message.find("is UTF-16") != std::string::npos);
+  }
+  CHECK(mistakes_of("\xef\xbb\xbf" + json).empty());  // the mark of UTF-8
+}
+
 TEST_CASE("every repeated key is reported with its line, also in nested objects") {
   const auto mistakes =
       mistakes_of("{\"a\": 1,\n \"b\": {\"c\": 1,\n \"c\": 2}, \"d\": [{\"c\": 1}],\n \"a\": 3}");
@@ -75,6 +93,16 @@ TEST_CASE("a number beyond a double is a mistake with its place") {
   CHECK(mistakes[0].pointer.rfind("line 2", 0) == 0);
   CHECK(mistakes[0].message.find("1e400") != std::string::npos);
   CHECK(mistakes_of("{\"b\": 1e308}").empty());
+}
+
+TEST_CASE("a pipe is read, and one that nobody writes to is not waited for") {
+  const Directory directory;
+  const std::string pipe = directory.file("pipe");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THROWS_WITH(read_json_file(pipe), Catch::Contains("nobody has written"));
+  std::thread writer([&] { std::ofstream(pipe) << "{\"a\": 1}"; });
+  CHECK(read_json_file(pipe).at("a") == 1);
+  writer.join();
 }
 
 TEST_CASE("files are replaced whole, and a failure names the file") {

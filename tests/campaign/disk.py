@@ -2,7 +2,8 @@
 """Every file that the program writes, on a disk that is full (ENOSPC), over a quota (EDQUOT, EFBIG) or broken (EIO), at
 the first, the second and the last byte. A study must stop with a sentence, no design may be called a failure, and the
 same command must go on to the same result once the disk is well. Then places that do not suit: read-only, foreign,
-removed and unlocked directories, no HOME, TMPDIR or cache, a clock set back, no mpirun, few files, little memory."""
+removed and unlocked directories, no HOME, TMPDIR or cache, a clock set back, no mpirun, few files, little memory.
+With --ranks the study alone, embedded in a job of so many ranks."""
 import errno
 import os
 import pathlib
@@ -179,18 +180,54 @@ class Campaign:
         self.expect("files from the future", (0,), run_in(good))
         if place.run("rank", good, "--json").stdout != expected:
             self.note("files from the future", "another ranking")
-        print(f"places and limits: {checks + 14} tried", flush=True)
+        backwards = {"LD_PRELOAD": self.library, "ICEBOW_FAULT": "clock 0 60"}
+        out = place.path / "backwards"
+        self.expect("a clock that runs backwards", (0,), run_in(out, extra=backwards))
+        if place.run("rank", out, "--json").stdout != expected:
+            self.note("a clock that runs backwards", "another ranking")
+        print(f"places and limits: {checks + 15 + self.read_only(path, good, expected)} tried", flush=True)
+
+    def read_only(self, path, good, expected):
+        """Root may write anywhere, so nobody (65534) tries."""
+        place, out = self.place, self.place.path / "read_only"
+        shutil.copytree(good, out)
+        for file in (place.path, out, *out.rglob("*")):
+            file.chmod(0o755 if file.is_dir() else 0o644)
+        if os.geteuid() != 0:
+            out.chmod(0o555)
+
+        def nobody():
+            if os.geteuid() == 0:
+                os.setgid(65534)
+                os.setuid(65534)
+
+        try:
+            ranking = place.run("rank", out, "--json", preexec_fn=nobody)
+        except PermissionError:
+            print("nobody may run the program here: read-only directories not tried")
+            return 0
+        self.expect("a ranking of a directory that is read-only", (0,), ranking)
+        if ranking.stdout != expected:
+            self.note("a ranking of a directory that is read-only", "another ranking")
+        for what, words in {"a study": ("run", path, "--out", out), "a report": ("report", out),
+                            "a hull": ("hull", path, "--out", out / "h.obj"),
+                            "a simulation": ("simulate", path, "--out", out / "new")}.items():
+            self.expect(f"{what} in a directory that is read-only", (1,), place.run(*words, preexec_fn=nobody),
+                        str(out))
+        out.chmod(0o755)
+        return 5
 
 
 def main():
-    chosen = common.options(__doc__)
+    chosen = common.options(__doc__, ranks=0)
     with common.Place(chosen.program) as place:
         campaign = Campaign(place, chosen.short)
-        campaign.places()
-        campaign.hulls()
-        campaign.study(0)
-        if not chosen.short:
-            campaign.study(2)
+        if chosen.ranks:
+            campaign.study(chosen.ranks)
+        else:
+            campaign.places()
+            campaign.hulls()
+            campaign.study(0)
     print(f"{len(campaign.faults)} faults")
     return 1 if campaign.faults else 0
 

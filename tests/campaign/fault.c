@@ -1,7 +1,8 @@
 /* A disk that fails, for one program: LD_PRELOAD=fault.so, ICEBOW_FAULT="NAME ERRNO BYTES".
  *
  * Files whose path contains NAME take BYTES bytes in all; then every write to them fails with ERRNO, as a full or
- * broken disk would. "flock * 95" lets flock and file locks fail instead. */
+ * broken disk would. "flock * 95" lets flock and file locks fail instead; "clock 0 60" sets the clock back by 60 s at
+ * each look. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -12,6 +13,7 @@
 #include <sys/file.h>
 #include <sys/types.h>
 #include <sys/uio.h>
+#include <time.h>
 #include <unistd.h>
 #include <fcntl.h>
 
@@ -75,6 +77,18 @@ int fsync(int file) {
     return -1;
   }
   return REAL(fsync)(file);
+}
+int clock_gettime(clockid_t which, struct timespec* now) {
+  static long long looks;
+  const int result = REAL(clock_gettime)(which, now);
+  if (which == CLOCK_REALTIME && strcmp(wanted, "clock") == 0) now->tv_sec -= left * ++looks;
+  return result;
+}
+time_t time(time_t* place) {
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  if (place) *place = now.tv_sec;
+  return now.tv_sec;
 }
 int flock(int file, int operation) {
   if (strcmp(wanted, "flock") == 0) {

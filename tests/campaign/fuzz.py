@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Builds the fuzzers (preset "fuzz": clang, its libFuzzer, address and undefined-behaviour sanitizers) and runs each
-for so many inputs from a small corpus: study files, meshes, stores, results, and what a report and a checkpoint hold
-besides. A crash, a hang of 10 s or a broken promise ends it; the input is then kept in build/fuzz."""
+for so many inputs from a small corpus: study files, meshes, stores, results, records between processes, tables of
+designs, and what a report and a checkpoint hold besides. A crash, a hang of 10 s or a broken promise ends it; the input
+is then kept in build/fuzz. With --replay the inputs are made by chance instead, without clang: by the programs replay_*
+of an ordinary build, which leaves the last input beside each."""
 import argparse
 import json
 import os
@@ -9,12 +11,14 @@ import pathlib
 import re
 import subprocess
 import sys
+import tarfile
 import tempfile
 
 import common
 
 BUILD = common.ROOT / "build/fuzz"
-FUZZERS = ("study", "mesh", "store", "result", "files")
+FUZZERS = ("study", "mesh", "store", "result", "files", "records")
+KEPT = common.HERE.parent / "fuzz/corpus.tar.gz"  # what the fuzzers have found worth keeping, a folder each
 
 
 def build():
@@ -42,6 +46,15 @@ def seeds(directory, program):
                                           b"<path d=\"M0 0L1 1\"/><text x=\"1\">t</text></g></svg>")
     (directory / "files/obj").write_bytes(b"\2" + solid[b"\1"])
     (directory / "files/list").write_bytes(b"\3" + bytes(96))
+    for kind, content in (
+            (0, '{"key": "k", "name": "d001", "status": "ok", "reason": "", "parameters": [["/bow/stem_deg", 20]], '
+                '"result": {"metrics": {}}, "wall_seconds": null}'),
+            (2, '{"state": "decided", "best_within": 0.1, "confidence": 0.95, "budget_core_h": 1, "legs": [{"sailed_to_m": '
+                '{"a": 20, "b": 10}, "in": ["a"], "leader": "a", "most_above_best": null, "core_hours": 0.1}], '
+                '"keys": {"a": "k", "b": "l"}, "targets_m": {"k": 20}}'),
+            (3, '{"step": 3, "steps": 10, "advance_m": 0.5, "load_N": -1e3}'), (3, '{"machine_trouble": "a disk"}'),
+            (4, 'name;/bow/stem_deg;"/operation/speed_kn"\n"a; b";20;3\n\nc;21.5;4\n')):
+        (directory / f"records/{kind}_{len(content)}").write_bytes(bytes([kind]) + content.encode())
     if os.access(program, os.X_OK):
         with common.Place(program) as place:
             path = place.write("s.json", common.study(evaluators=["lindqvist"], ranking={"by": "lindqvist_breaking"}))
@@ -49,6 +62,8 @@ def seeds(directory, program):
             (directory / "store/one").write_bytes((place.path / "o/results.sqlite").read_bytes())
             place.run("simulate", place.write("t.json", common.study(designs=[])), "--out", place.path / "r")
             (directory / "result/one").write_bytes((place.path / "r/result.json").read_bytes())
+            (directory / "files/history").write_bytes(b"\0" + (place.path / "r/history.csv").read_bytes()[:3000])
+            (directory / "files/lines").write_bytes(b"\1" + (place.path / "r/lines.svg").read_bytes())
     if not any((directory / "result").iterdir()):
         (directory / "result/one").write_text(json.dumps({"metrics": {"full_scale": {"mean_load_N": 1}}}))
 
@@ -70,17 +85,39 @@ def fuzz(name, corpus, runs, seconds, seed):
     return result.returncode != 0
 
 
+def replay(build, name, corpus, runs):
+    """Of a fuzzer that came without libFuzzer: whether it has found something."""
+    program = pathlib.Path(build).resolve() / f"replay_{name}"
+    try:
+        result = subprocess.run([str(program), str(runs), str(corpus)], capture_output=True, text=True, errors="replace",
+                                timeout=60 + runs / 20)
+        words = result.stdout if result.returncode == 0 else f"exit {result.returncode}: {result.stderr[-2000:]}"
+        found = result.returncode != 0
+    except subprocess.TimeoutExpired:
+        words, found = "a hang", True
+    print(f"{name}: {words.strip()}{f'; A FINDING: {program}.last' if found else ''}", flush=True)
+    return found
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=1000000, help="inputs for each fuzzer; default: a million")
     parser.add_argument("--seconds", type=int, default=0, help="at most, for each; default: as long as it takes")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", choices=FUZZERS, action="append")
+    parser.add_argument("--replay", metavar="BUILD", help="directory of an ordinary build: no clang, no coverage")
     parser.add_argument("--program", default=str(common.ROOT / "build/release/icebow"), help="for the corpus")
     chosen = parser.parse_args()
-    build()
+    if not chosen.replay:
+        build()
     with tempfile.TemporaryDirectory(prefix="icebow_corpus_") as directory:
+        if KEPT.exists():
+            with tarfile.open(KEPT) as kept:
+                kept.extractall(directory)
         seeds(pathlib.Path(directory), chosen.program)
+        if chosen.replay:
+            return 1 if sum(replay(chosen.replay, name, pathlib.Path(directory) / name, chosen.runs)
+                            for name in chosen.only or FUZZERS) else 0
         found = sum(fuzz(name, pathlib.Path(directory) / name, chosen.runs, chosen.seconds, chosen.seed)
                     for name in chosen.only or FUZZERS)
     return 1 if found else 0

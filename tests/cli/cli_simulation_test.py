@@ -198,17 +198,20 @@ class Run(ProgramTest):
 
     def test_interrupted_and_resumed(self):
         out = self.directory / "study"
-        words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/operation/advance_m=12")
+        checkpoint = out / "designs/baseline/checkpoint.h5"
+        words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/solver/time_step_fraction=0.2",
+                 "--set", "/output/pictures=20")
         process = start(*words, start_new_session=True)
         deadline = time.time() + 60
-        while time.time() < deadline and not (out / "designs/baseline/log.txt").exists() and process.poll() is None:
+        while time.time() < deadline and not (out / "designs/baseline/ice_000.png").exists() and process.poll() is None:
             time.sleep(0.05)
-        time.sleep(0.5)
         os.kill(process.pid, signal.SIGTERM)
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("same command", err)
+        self.assertTrue(checkpoint.exists())  # of the child, which the program ends
         self.expect(0, *words)
+        self.assertFalse(checkpoint.exists())
 
     def test_in_one_job_of_two_ranks(self):
         out = self.directory / "study"

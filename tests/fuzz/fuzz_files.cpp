@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     case 2:
-      plan_svg(read_waterline(memory_file(".obj", data + 1, size - 1)), 30.0, 1.0);
+      bow_outline(read_waterline(memory_file(".obj", data + 1, size - 1)), 30.0, 1.0);
       break;
     default:
       read_lists(data + 1, size - 1);

@@ -12,8 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const char* const endings[] = {".ply", ".obj", ".stl"};
   const std::string path = memory_file(endings[data[0] % 3], data + 1, size - 1);
   try {
-    int split = 0;
-    const QuadMesh mesh = read_mesh(path, split);
+    MeshRepairs repairs;
+    const QuadMesh mesh = read_mesh(path, repairs);
     for (const auto& quad : mesh.quads)
       for (const int corner : quad)
         if (corner < 0 || corner >= static_cast<int>(mesh.points.size())) std::abort();

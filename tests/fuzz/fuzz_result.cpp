@@ -1,7 +1,11 @@
 // A stored result, whose JSON anybody may have written: it is ranked and its report drawn.
 #include "base/errors.h"
+#include "reports/content/response_fit.h"
+#include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
-#include "reports/html/html_sections.h"
+#include "reports/html/overview_view.h"
+#include "reports/html/page_template.h"
+#include "reports/html/ranking_view.h"
 #include "reports/tables/table_report.h"
 #include "study/plan/ranking.h"
 
@@ -22,10 +26,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     content.designs.assign(content.study.ranking.rows.size(), DesignContent());
     content.unit = load_unit(content.study.ranking);
     to_json(content.study.ranking);
-    ranking_table_html(content);
-    design_cards_html(content);
-    unranked_html(content);
-    chart_data(content);
+    json_text(ranking_view(content));
+    json_text(unranked_view(content));
+    json_text(podium_view(content));
+    json_text(method_view(content));
+    for (std::size_t i = 0; i < content.designs.size(); ++i) {
+      Json card = card_head_view(content, i);
+      card["open"] = true, card["body"] = rendered("card_body", card_body_view(content, i));
+      rendered("card", card);
+    }
+    json_text(chart_data(content, fit_response(content.study)));
   }
   return 0;
 }

@@ -1,6 +1,8 @@
 // The run of the checkpoint tests, and a folder for its files.
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <string>
 
@@ -19,7 +21,8 @@ inline Scenario breaking_ice() {
 class TestFolder {
  public:
   TestFolder(const Communicator& comm, const std::string& name) : comm_(comm) {
-    path_ = std::filesystem::temp_directory_path() / ("icebow_" + name + std::to_string(comm.size()));
+    const std::string own = comm.broadcast(std::to_string(::getpid()));  // others may run the same test
+    path_ = std::filesystem::temp_directory_path() / ("icebow_" + name + "_" + own);
     if (comm_.is_root()) {
       std::filesystem::remove_all(path_);
       std::filesystem::create_directories(path_);

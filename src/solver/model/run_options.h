@@ -38,7 +38,9 @@ struct RunOptions {
   std::uint64_t seed = 0;
   int pictures = 0;                                  // top-view PNG pictures, likewise: ice_000.png ...
   std::function<void(const Progress&)> on_progress;  // called on the root rank about four times a second
-  std::function<bool()> stop;  // asked on the root about as often; true = end now with status interrupted
+  // Asked on the root some ten times a second, or after each step that takes longer: whether to end now with
+  // status interrupted, and whether to write a checkpoint now and go on.
+  std::function<bool()> stop, checkpoint_now;
   // HDF5 file from which an interrupted run goes on; empty = none. It is removed when the run has ended, or
   // left to the caller, whose results may still have to be written.
   std::string checkpoint_file;

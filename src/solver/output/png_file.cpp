@@ -97,11 +97,17 @@ void write_png(const std::string& path, const Raster& raster) {
 }
 
 Raster read_png(const std::string& path) {
-  const std::string file = read_text_file(path);
+  constexpr std::uint64_t most_pixels = 100'000'000;  // ours have a hundredth; a header may say anything
+  const std::string file = read_text_file(path, std::uint64_t{1} << 28);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   Raster raster;
   bool read = png_image_begin_read_from_memory(&image, file.data(), file.size()) != 0;
+  if (read && std::uint64_t{image.width} * image.height > most_pixels) {
+    png_image_free(&image);
+    throw InputError(path + ": a picture of " + std::to_string(image.width) + " x " +
+                     std::to_string(image.height) + " pixels is none of a run's");
+  }
   if (read) {
     image.format = PNG_FORMAT_RGB;
     raster.width = static_cast<int>(image.width), raster.height = static_cast<int>(image.height);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/json.h"
@@ -114,11 +115,24 @@ void flush(const std::string& path) {
   ::close(file);
 }
 
+// What runs that were killed while they wrote have left beside it.
+void remove_halves(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::string beginning = path.filename().string() + ".tmp";
+  std::vector<std::filesystem::path> halves;
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator entry(folder, ignored), end; entry != end;
+       entry.increment(ignored))
+    if (entry->path().filename().string().rfind(beginning, 0) == 0) halves.push_back(entry->path());
+  for (const std::filesystem::path& half : halves) std::filesystem::remove(half, ignored);
+}
+
 std::string put_in_place(const std::string& from, const std::string& to) {
   flush(from);
   if (std::rename(from.c_str(), to.c_str()) != 0) return "cannot replace " + to + ": " + std::strerror(errno);
   const std::string folder = std::filesystem::path(to).parent_path().string();
   flush(folder.empty() ? "." : folder);
+  remove_halves(to);
   return "";
 }
 
@@ -126,8 +140,9 @@ std::string put_in_place(const std::string& from, const std::string& to) {
 
 void save_checkpoint(const Communicator& comm, const std::string& path, const std::string& case_text,
                      const RunState& run) {
-  const std::string temporary = path + ".tmp";
-  if (comm.is_root()) std::remove(temporary.c_str());
+  // A run that was killed a moment ago may still be writing: no two have one name.
+  const std::string temporary = comm.broadcast(path + ".tmp" + std::to_string(::getpid()));
+  if (comm.is_root()) std::remove(temporary.c_str());  // whoever put it there, a link for one
   comm.barrier();
   try {
     ParallelFile file = ParallelFile::create(comm, temporary, Checksums::yes);
@@ -219,7 +234,8 @@ void load_checkpoint(const Communicator& comm, const std::string& path, RunState
 
 void remove_checkpoint(const std::string& path) {
   std::error_code ignored;
-  for (const char* ending : {"", ".tmp"}) std::filesystem::remove(path + ending, ignored);
+  std::filesystem::remove(path, ignored);
+  remove_halves(path);
 }
 
 Checkpoints::Checkpoints(const Communicator& comm, const QuadMesh& hull, const Scenario& scenario,

@@ -3,8 +3,8 @@
 // One HDF5 file with checksums throughout (see Checksums), so that what a disk has damaged is not gone on
 // from: the sheet (see sheet_file.h), `history` and `history_counts` (a row a sample), `cracked_columns` and
 // `dropped_ice` (process_watch.h), `run` (JSON: step, counts, files written so far) and `case` (see
-// case_text.h), by which a checkpoint of another run is recognised. It is written under a second name and
-// then renamed: a run that is killed while it writes leaves the checkpoint before.
+// case_text.h), by which a checkpoint of another run is recognised. It is written under a second name, that
+// of its process, and then renamed: a run that is killed while it writes leaves the checkpoint before.
 #pragma once
 
 #include <chrono>

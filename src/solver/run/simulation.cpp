@@ -200,30 +200,18 @@ class Loop {
              std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state.wall_seconds));
     while (stepper.steps() < result_.steps) {
       stepper.step();
-      if (stepper.steps() % recorder.steps_per_sample() != 0) continue;
-      if (!recorder.sample(stepper, result_.reason)) {
+      const bool sampled = stepper.steps() % recorder.steps_per_sample() == 0;
+      if (sampled && !sample(state)) {
         result_.status = RunStatus::failed;
         break;
       }
-      process.sample(stepper);
-      stepper.timer().lap(Phase::sampling);
-      const LinearCount linear = stepper.sheet().linear_blocks();
-      state.linear.linear += linear.linear;
-      state.linear.all += linear.all;
-      const auto sampled = Clock::now();
-      snapshots.write_due(stepper, s_.V * stepper.time());
-      stepper.timer().lap(Phase::output);
-      const bool stop = report(stepper, recorder.history());
-      state.wall_seconds = seconds_since(start_);
-      checkpoints.write_due(state, stop || is_last_sample(stepper, recorder));
-      stepper.timer().lap(Phase::checkpoint);
-      result_.output_seconds += seconds_since(sampled);
-      if (stop) {
+      if (!sampled && !look_is_due(stepper)) continue;
+      if (heed(checkpoints, state, sampled)) {
         result_.status = RunStatus::interrupted;
         result_.reason = "interrupted";
         break;
       }
-      if (recorded_enough(recorder.history())) {
+      if (sampled && recorded_enough(recorder.history())) {
         result_.ended = RunEnd::interval_narrow_enough;
         break;
       }
@@ -256,6 +244,54 @@ class Loop {
     const SheetState sheet = gather_state(comm_, stepper.sheet());
     result_.metrics = measure(comm_, hull_, s_, stepper, result_.history, sheet);
     result_.process = state.process.sum_up(stepper, sheet, result_.history);
+  }
+
+  // Collective: a row of the record, and the files that are due. False where the run has failed.
+  bool sample(RunState& state) {
+    Stepper& stepper = state.stepper;
+    if (!state.recorder.sample(stepper, result_.reason)) return false;
+    state.process.sample(stepper);
+    stepper.timer().lap(Phase::sampling);
+    const LinearCount linear = stepper.sheet().linear_blocks();
+    state.linear.linear += linear.linear;
+    state.linear.all += linear.all;
+    const auto before = Clock::now();
+    state.snapshots.write_due(stepper, s_.V * stepper.time());
+    stepper.timer().lap(Phase::output);
+    report(stepper, state.recorder.history());
+    result_.output_seconds += seconds_since(before);
+    return true;
+  }
+
+  bool look_is_due(const Stepper& stepper) const {
+    return stepper.may_pause() && stepper.steps() - looked_ >= look_every_;
+  }
+
+  // Collective: keeps the state where that is due or asked for. True where the run is to end now.
+  bool heed(Checkpoints& checkpoints, RunState& state, bool sampled) {
+    const Wish wish = wished();
+    looked_ = state.stepper.steps();
+    if (sampled || wish != Wish::none) {
+      const auto before = Clock::now();
+      state.wall_seconds = seconds_since(start_);
+      checkpoints.write_due(state,
+                            wish != Wish::none || (sampled && is_last_sample(state.stepper, state.recorder)));
+      result_.output_seconds += seconds_since(before);
+    }
+    state.stepper.timer().lap(Phase::checkpoint);
+    return wish == Wish::stop;
+  }
+
+  enum class Wish { none, checkpoint, stop };
+
+  // Collective: the root asks, and all do alike.
+  Wish wished() const {
+    Wish wish = Wish::none;
+    if (comm_.is_root()) {
+      if (options_.checkpoint_now && options_.checkpoint_now()) wish = Wish::checkpoint;
+      if (options_.stop && options_.stop()) wish = Wish::stop;
+    }
+    return static_cast<Wish>(static_cast<int>(comm_.max(static_cast<double>(wish))));
   }
 
   // Where the state is kept for a longer voyage: at a sample, so that the longer one has the same samples.
@@ -292,20 +328,20 @@ class Loop {
     return comm_.any(comm_.is_root() && enough_recorded(history, s_.steady_from, s_.stop_when_ci95_below));
   }
 
-  // Collective: tells the observer and asks it whether to stop.
-  bool report(const Stepper& stepper, const History& history) {
-    bool stop = false;
+  // Collective: tells the observer, and agrees on how many steps pass between two looks at what it wishes.
+  void report(const Stepper& stepper, const History& history) {
+    constexpr double seconds_a_look = 0.1;
+    const double seconds = seconds_since(start_);
     if (comm_.is_root() && seconds_since(last_report_) > 0.25) {
       last_report_ = Clock::now();
       if (options_.on_progress) {
         const HistoryRow& row = history.rows.back();
-        const double seconds = seconds_since(start_);
         options_.on_progress({stepper.steps(), result_.steps, row.advance, -row.F[0], seconds,
                               ns_per_bond(stepper.steps(), seconds), row.hull_work, latest_balance(history)});
       }
-      stop = options_.stop && options_.stop();
     }
-    return comm_.any(stop);
+    const double steps = seconds_a_look * double(stepper.steps()) / std::max(seconds, 1e-9);
+    look_every_ = static_cast<std::int64_t>(comm_.max(comm_.is_root() ? std::clamp(steps, 1.0, 1e9) : 0.0));
   }
 
   const Communicator& comm_;
@@ -314,6 +350,7 @@ class Loop {
   const RunOptions& options_;
   RunResult& result_;
   Clock::time_point start_, last_report_;
+  std::int64_t looked_ = 0, look_every_ = 1;  // steps
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ class Stepper {
   double hull_x() const { return start_x_ + V_ * time(); }
   // Whether one of the next so many steps begins with a move of the window.
   bool window_moves_within(std::int64_t steps) const { return window_is_due(steps_ + steps - 1); }
+  // Whether a run that goes on from here later is the same, bit for bit; at every sample it is.
+  bool may_pause() const { return surroundings_.may_pause(steps_); }
   const IceSheet& sheet() const { return sheet_; }
   IceSheet& sheet() { return sheet_; }
   const Material& material() const { return material_; }

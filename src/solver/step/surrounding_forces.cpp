@@ -15,8 +15,7 @@ std::int64_t SurroundingForces::apply(IceSheet& sheet, std::int64_t steps,
                                       const std::vector<HullStrike>& strikes) {
   FloeWork floes;
   if (floes_.acts()) {
-    // A run goes on from a sample: both must look for pairs then.
-    if (steps % steps_per_sample_ % pairs_every == 0) floes_.find_pairs(sheet);
+    if (may_pause(steps)) floes_.find_pairs(sheet);  // a run that goes on does so where it goes on
     floes = floes_.apply(sheet, strikes);
     counts_.floes += floes.taken;
   }

@@ -29,6 +29,11 @@ class SurroundingForces {
   // Collective. Where the ice has been renumbered, or a run goes on that has been interrupted.
   void renumbered(const IceSheet& sheet) { floes_.find_pairs(sheet); }
 
+  // Whether pairs of ice were looked for in the last of so many steps, as where a run goes on.
+  bool may_pause(std::int64_t steps) const {
+    return !floes_.acts() || steps % steps_per_sample_ % pairs_every == 0;
+  }
+
   const SurroundingsCounts& counts() const { return counts_; }
   void restore(const SurroundingsCounts& counts) { counts_ = counts; }
 

@@ -261,6 +261,7 @@ RunOptions run_options(Work& work) {
   options.seed = c.seed;
   options.on_progress = work.options.on_progress;
   options.stop = work.options.stop;
+  options.checkpoint_now = work.options.checkpoint_now;
   if (work.writes()) options.checkpoint_file = work.path(checkpoint_name);
   options.keep_checkpoint = true;
   options.to_be_sailed_on = work.options.keep_checkpoint && work.design.sail_to > 0.0;

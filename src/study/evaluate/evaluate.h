@@ -19,7 +19,7 @@ double usual_checkpoint_interval();
 struct EvaluateOptions {
   std::string directory;  // of this design's files; made where missing; empty = no files
   std::function<void(const Progress&)> on_progress;
-  std::function<bool()> stop;
+  std::function<bool()> stop, checkpoint_now;  // see RunOptions
   // The simulation's checkpoint in that directory: see RunOptions.
   double checkpoint_every_s = usual_checkpoint_interval();
   Resume resume = Resume::if_usable;

@@ -1,6 +1,7 @@
 #include "study/evaluate/program_evaluator.h"
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 constexpr milliseconds moment(50), grace(3000);
-constexpr std::size_t most_bytes = std::size_t{1} << 24;  // of what a program may print
+constexpr std::size_t most_bytes = std::size_t{1}
+                                   << 24;  // of what a program may print, and say on its stderr
 
 struct Digested {
   fs::file_time_type written;
@@ -64,7 +66,8 @@ ProgramOutcome outcome_of(const std::string& printed) {
   try {
     output = parse_json(printed, "its output");
   } catch (const InputError& error) {
-    return failed("printed no JSON: " + shortened(printable(error.what()), 200));
+    const Mistake& first = error.mistakes().front();
+    return failed("printed no JSON: " + first.pointer + ": " + shortened(printable(first.message), 200));
   }
   if (!output.is_object()) return failed("printed no object but " + shortened(output.dump(), 80));
   if (output.contains("infeasible") && output.at("infeasible").is_string()) {
@@ -92,21 +95,46 @@ std::string last_words(const std::string& log) {
 
 struct Run {
   std::string printed;
-  bool timed_out = false, interrupted = false;
+  bool timed_out = false, interrupted = false, flooded = false;
 };
 
+std::uintmax_t size_of_log(const std::string& log) {
+  std::error_code none;
+  const std::uintmax_t size = fs::is_regular_file(log, none) ? fs::file_size(log, none) : 0;
+  return none ? 0 : size;
+}
+
 // Until the program has ended, by itself or by us.
-Run listened_to(ChildProcess& child, double time_limit, const std::function<bool()>& stop) {
+Run listened_to(ChildProcess& child, const std::string& log, double time_limit,
+                const std::function<bool()>& stop) {
   Run run;
   for (bool running = true; running;) {
     wait_for_output({&child}, moment);
     running = child.running();
-    for (const std::string& line : child.read_lines()) run.printed += line + "\n";
+    for (const std::string& line : child.read_lines())
+      if (run.printed.size() <= most_bytes) run.printed += line + "\n";
     run.timed_out = run.timed_out || (running && time_limit > 0.0 && child.seconds() > time_limit);
     run.interrupted = run.interrupted || (running && stop && stop());
-    if (run.timed_out || run.interrupted || run.printed.size() > most_bytes) child.terminate(grace);
+    run.flooded = run.flooded || size_of_log(log) > most_bytes;
+    if (run.timed_out || run.interrupted || run.flooded || run.printed.size() > most_bytes)
+      child.terminate(grace);
   }
+  std::error_code ignored;
+  if (run.flooded) fs::resize_file(log, most_bytes, ignored);
   return run;
+}
+
+ProgramOutcome judged(const Run& run, const ChildProcess& child, double time_limit, const std::string& log) {
+  if (run.printed.size() > most_bytes) return failed("printed more than 16 MB");
+  if (run.flooded) return failed("wrote more than 16 MB to its stderr");
+  if (run.timed_out) {
+    ProgramOutcome outcome = failed(text("took longer than its time limit of %g s", time_limit));
+    outcome.timed_out = true;
+    return outcome;
+  }
+  if (child.killed_by() != 0) return failed("was " + child.complaint() + last_words(log));
+  if (!child.complaint().empty()) return failed("ended with " + child.complaint() + last_words(log));
+  return outcome_of(run.printed);
 }
 
 }  // namespace
@@ -148,19 +176,19 @@ ProgramOutcome run_program(const ProgramEvaluator& program, const Json& input, c
   command.log = log;
   command.input = json_text(input) + "\n";
   command.directory = directory;
-  ChildProcess child(command);
-  const Run run = listened_to(child, program.time_limit, stop);
   ProgramOutcome outcome;
-  outcome.interrupted = run.interrupted, outcome.timed_out = run.timed_out;
-  if (run.interrupted) return outcome;
-  if (run.timed_out) {
-    outcome.reason = text("took longer than its time limit of %g s", program.time_limit);
-  } else if (run.printed.size() > most_bytes) {
-    outcome = failed("printed more than 16 MB");
-  } else if (!child.complaint().empty()) {
-    outcome = failed("ended with " + child.complaint() + last_words(log));
-  } else {
-    outcome = outcome_of(run.printed);
+  for (int kills = 0;;) {
+    ChildProcess child(command);
+    const Run run = listened_to(child, log, program.time_limit, stop);
+    outcome = judged(run, child, program.time_limit, log);
+    outcome.interrupted = run.interrupted;
+    const bool by_us = run.timed_out || run.interrupted || run.flooded || run.printed.size() > most_bytes;
+    if (by_us || child.killed_by() != SIGKILL) break;
+    if (++kills > 1)
+      throw RuntimeError(
+          "was killed by signal 9 twice, by somebody or for want of memory; the same command goes on with "
+          "it, "
+          "with --jobs 1 it has the memory for itself");
   }
   std::error_code ignored;
   if (!directory.empty() && fs::is_empty(log, ignored)) fs::remove(log, ignored);

@@ -21,7 +21,8 @@ struct ProgramOutcome {
 };
 
 // Runs it in `directory` (empty: where this process is), where its stderr is kept as NAME.log. Throws
-// RuntimeError where it cannot be started: that is no design's failure.
+// RuntimeError where it cannot be started, or is killed twice from outside (SIGKILL, as where memory is
+// short): that is no design's failure.
 ProgramOutcome run_program(const ProgramEvaluator& program, const Json& input, const std::string& directory,
                            const std::function<bool()>& stop);
 

@@ -91,6 +91,7 @@ class EmbeddedRunner : public Runner {
       timed_out = timed_out || (limit > 0.0 && seconds > limit);
       return timed_out || (context_.settings.stop && context_.settings.stop());
     };
+    options.checkpoint_now = context_.settings.checkpoint_now;
     Evaluation e = evaluate_together(comm_, context_.settings.evaluate, design, options);
     if (e.status == EvaluationStatus::running && timed_out) {
       e.status = EvaluationStatus::failed;

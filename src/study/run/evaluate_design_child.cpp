@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "base/stop_signal.h"
 #include "study/evaluate/progress_json.h"
 
 namespace icebow {
@@ -38,14 +39,18 @@ Design received_design(const Communicator& comm, const std::string& path) {
   return design_from_json(message.at("design"));
 }
 
-void evaluate_to_file(const Communicator& comm, const std::map<std::string, std::string>& options,
+// False where it was interrupted: its checkpoint is there.
+bool evaluate_to_file(const Communicator& comm, const std::map<std::string, std::string>& options,
                       const EvaluateFunction& evaluator) {
   const Design design = received_design(comm, options.at("--design-json"));
   EvaluateOptions evaluate_options;
   evaluate_options.directory = options.at("--out");
   evaluate_options.on_progress = [](const Progress& p) { std::cout << progress_line(p) << std::endl; };
   evaluate_options.keep_checkpoint = true;  // until the study has stored the result
+  evaluate_options.stop = StopSignal::raised;
+  evaluate_options.checkpoint_now = StopSignal::checkpoint_asked;
   const Evaluation e = evaluator(comm, design, evaluate_options);
+  if (e.status == EvaluationStatus::running) return false;
   std::string trouble;
   if (comm.is_root()) {
     try {
@@ -55,19 +60,18 @@ void evaluate_to_file(const Communicator& comm, const std::map<std::string, std:
     }
   }
   fail_together(comm, trouble);
+  return true;
 }
 
 }  // namespace
 
 int evaluate_design_child(const Communicator& comm, const std::vector<std::string>& arguments,
                           const EvaluateFunction& evaluator) {
-  // The parent ends a child by SIGTERM; nobody here would look at a flag set by a handler of the program's
-  // own.
-  std::signal(SIGTERM, SIG_DFL);
-  std::signal(SIGINT, SIG_DFL);
+  // The parent ends a child by SIGTERM. Until there is a simulation, which asks for it, that is at once.
+  const StopSignal signals(comm.is_root() ? StopSignal::Unheeded::ends : StopSignal::Unheeded::waits);
   try {
-    evaluate_to_file(comm, parse(arguments), evaluator ? evaluator : evaluate);
-    return 0;
+    const bool ended = evaluate_to_file(comm, parse(arguments), evaluator ? evaluator : evaluate);
+    return ended ? 0 : 128 + SIGTERM;
   } catch (const InputError& error) {  // the study has read the same: its file is not there any more
     if (comm.is_root()) std::cout << trouble_line(error.what()) << std::endl;
     if (comm.is_root()) std::cerr << error.what() << std::endl;

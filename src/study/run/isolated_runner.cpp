@@ -179,6 +179,8 @@ void IsolatedRunner::launch(Job& job) const {
   child.arguments = command(job);
   child.environment = child_environment();
   child.log = log_file(job);
+  // A simulation writes its checkpoint on SIGTERM, which the next run of the study must not meet.
+  if (context_.spec.execution.ranks_per_design <= 1) child.when_we_die = SIGKILL;
   job.child = std::make_unique<ChildProcess>(child);
 }
 

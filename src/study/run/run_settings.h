@@ -35,8 +35,10 @@ struct RunSettings {
   // changed: study/run/failure.h.
   bool retry_failed = false;
   std::function<bool()> stop;  // asked on the root a few times a second; true = end now, store consistent
-  EvaluateFunction evaluate;   // empty = icebow::evaluate (embedded only; a child process has its own)
-  MarginsFunction margins;     // empty = those of check_feasibility
+  std::function<bool()>
+      checkpoint_now;         // likewise; true = the simulation under way keeps its state (embedded)
+  EvaluateFunction evaluate;  // empty = icebow::evaluate (embedded only; a child process has its own)
+  MarginsFunction margins;    // empty = those of check_feasibility
 };
 
 struct StudyOutcome {

@@ -13,10 +13,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A study of somebody else's may point at files of ours: where there is no link, none is written through.
+void refuse_links(const fs::path& directory) {
+  std::vector<fs::path> paths = {directory / "designs"};
+  for (const char* ending : {"", ".lock", "-wal", "-shm", "-journal"})
+    paths.push_back(directory / (std::string("results.sqlite") + ending));
+  std::error_code error;
+  if (!fs::is_symlink(paths.front()))
+    for (fs::directory_iterator design(paths.front(), error), end; design != end; design.increment(error))
+      paths.push_back(design->path());
+  for (const fs::path& path : paths)
+    if (fs::is_symlink(path))
+      throw RuntimeError(path.string() +
+                         ": is a link; what a study writes stays in its own directory. Remove the link");
+}
+
 void make_directories(const std::string& directory) {
   std::error_code error;
-  if (fs::is_symlink(fs::path(directory) / "designs"))
-    throw RuntimeError(directory + "/designs: is a link; a study's designs stay in its own directory");
   fs::create_directories(fs::path(directory) / "designs", error);
   if (error) throw RuntimeError(directory + ": cannot be made: " + error.message());
 }
@@ -65,6 +78,7 @@ void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings)
 StudyDirectory open_study_directory(const StudySpec& given, const RunSettings& settings,
                                     Store::Waiting waiting) {
   const fs::path directory(settings.directory);
+  refuse_links(directory);
   make_directories(settings.directory);
   const bool known = fs::exists(directory / "results.sqlite");
   StudyDirectory opened{

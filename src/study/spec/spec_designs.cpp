@@ -41,22 +41,6 @@ std::string parse_name(const Json& design, const std::string& at, Mistakes& mist
   return *name;
 }
 
-// A key with null is dropped from the file's section, which leaves nothing for the section's reader to find
-// fault with.
-void check_dropped_keys(const std::string& section, const Json& patch, const std::string& at,
-                        Mistakes& mistakes) {
-  if (!patch.is_object()) return;
-  for (const auto& item : patch.items()) {
-    const bool scale = item.key() == "scale" && section_has_scale(section);
-    if (!item.value().is_null() || scale || find_spelling(section, item.key()).key) continue;
-    std::vector<std::string> known;
-    for (const Key* key : keys_of_section(section)) known.push_back(spelled(*key));
-    mistakes.push_back({at + "/" + section + "/" + item.key(), "is not a key of \"" + section + "\"" +
-                                                                   did_you_mean(item.key(), known) +
-                                                                   ": null drops a key that the file gives"});
-  }
-}
-
 // A patch may change the ship, the ice and the run, not the study.
 bool parse_patch_keys(const Json& patch, const std::string& at, Mistakes& mistakes) {
   if (!patch.is_object()) {

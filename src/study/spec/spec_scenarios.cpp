@@ -7,6 +7,7 @@
 #include "base/json_fields.h"
 #include "study/spec/design_name.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_section.h"
 
 namespace icebow {
 namespace {
@@ -35,7 +36,10 @@ bool sets_conditions_only(const Json& set, const std::string& at, Mistakes& mist
   }
   bool good = true;
   for (const auto& item : set.items()) {
-    if (is_condition(item.key())) continue;
+    if (is_condition(item.key())) {
+      check_dropped_keys(item.key(), item.value(), at, mistakes);
+      continue;
+    }
     good = false;
     mistakes.push_back({at + "/" + item.key(),
                         "cannot be changed by a scenario, which may set " + listed(condition_sections()) +

@@ -50,6 +50,20 @@ std::string type_name(const Json& value) {
   return (name == "array" || name == "object" ? "an " : "a ") + name;
 }
 
+void check_dropped_keys(const std::string& section, const Json& patch, const std::string& at,
+                        Mistakes& mistakes) {
+  if (!patch.is_object()) return;
+  for (const auto& item : patch.items()) {
+    const bool scale = item.key() == "scale" && section_has_scale(section);
+    if (!item.value().is_null() || scale || find_spelling(section, item.key()).key) continue;
+    std::vector<std::string> known;
+    for (const Key* key : keys_of_section(section)) known.push_back(spelled(*key));
+    mistakes.push_back({at + "/" + section + "/" + item.key(), "is not a key of \"" + section + "\"" +
+                                                                   did_you_mean(item.key(), known) +
+                                                                   ": null drops a key that the file gives"});
+  }
+}
+
 Section::Section(const Json& document, const std::string& name, double lambda, Mistakes& mistakes,
                  const std::vector<std::string>& extra)
     : name_(name), mistakes_(&mistakes) {

@@ -17,6 +17,11 @@ using Mistakes = std::vector<Mistake>;
 std::string shown(const Json& value);
 std::string type_name(const Json& value);  // "a string", "an object"
 
+// Notes keys that no section of this name has where `patch` drops them, by null: the merged section has
+// nothing left to find fault with. `at` is the pointer of what the section stands in.
+void check_dropped_keys(const std::string& section, const Json& patch, const std::string& at,
+                        Mistakes& mistakes);
+
 class Section {
  public:
   // Reads document[name] (name "" = the top level itself). `lambda` converts where the section says "scale":

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "base/printable.h"
+#include "base/text_encoding.h"
 #include "base/text_file.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_variables.h"
@@ -63,7 +64,8 @@ char separator_of(const std::string& text) {
 double number_in(const std::string& cell, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
-  if (!cell.empty() && *end == '\0' && std::isfinite(value)) return value;
+  const bool decimal = cell.find_first_not_of("+-.0123456789eE") == std::string::npos;  // no "0x19", no "inf"
+  if (!cell.empty() && decimal && *end == '\0' && std::isfinite(value)) return value;
   throw InputError(where + ": \"" + shortened(printable(cell), 40) + "\" is no number" + number_meant(cell));
 }
 
@@ -71,13 +73,21 @@ double number_in(const std::string& cell, const std::string& where) {
 void read_csv(const std::string& path, Json& method) {
   std::string text = read_text_file(path, most_bytes);
   if (text.rfind("\xef\xbb\xbf", 0) == 0) text.erase(0, 3);
+  const std::string no_text = why_no_text(text);
+  if (!no_text.empty()) throw InputError(path + ": " + no_text);
   const std::vector<Line> lines = lines_of(text, separator_of(text));
   if (lines.size() < 2)
     throw InputError(path + ": has no designs; give a line of pointers and one line a design");
   const Cells& head = lines[0].cells;
   method["columns"] = Json::array(), method["rows"] = Json::array();
-  for (const std::string& cell : head)
-    if (!cell.empty() && cell[0] == '/') method["columns"].push_back(cell);
+  std::set<std::string> known;
+  for (const std::string& cell : head) {
+    if (cell.empty() || cell[0] != '/') continue;
+    if (!known.insert(cell).second)
+      throw InputError(path + ": its first line names " + shortened(printable(cell), 60) +
+                       " twice; keep one of the two columns");
+    method["columns"].push_back(cell);
+  }
   if (method["columns"].empty())
     throw InputError(path +
                      ": its first line names no column by a pointer into the study file, like /bow/stem_deg");
@@ -136,6 +146,11 @@ void parse_table(const Json& document, Method& method, Mistakes& mistakes) {
     mistakes.push_back({"/method/columns", "is " + shown(columns) +
                                                ", must be a list of pointers into this file, like "
                                                "[\"/bow/stem_deg\"]; or give \"file\": \"designs.csv\""});
+    return;
+  }
+  const std::set<std::string> different = columns.get<std::set<std::string>>();
+  if (different.size() < columns.size()) {
+    mistakes.push_back({"/method/columns", "names a pointer twice; keep one of the two columns"});
     return;
   }
   if (!read_rows(part_at(document, "/method/rows"), columns.size(), method, mistakes)) return;

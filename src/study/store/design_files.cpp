@@ -44,8 +44,9 @@ std::string set_aside(const Evaluation& e) {
 }
 
 // What a simulation that goes on from its checkpoint still needs.
-bool is_continued(const fs::path& file) {
-  const std::string name = file.filename().string();
+bool is_continued(const fs::directory_entry& file) {
+  const std::string name = file.path().filename().string();
+  if (file.is_symlink() || !file.is_regular_file() || file.path().extension() == ".tmp") return false;
   return name == checkpoint_name || name == std::string(checkpoint_name) + ".damaged" ||
          name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 || name == "hull.pvd";
 }
@@ -88,7 +89,7 @@ void clear_design_directory(const std::string& study_directory, const std::strin
     fs::create_directories(directory);
     std::vector<fs::path> old;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-      if (!is_continued(entry.path())) old.push_back(entry.path());
+      if (!is_continued(entry)) old.push_back(entry.path());
     }
     for (const fs::path& path : old) fs::remove_all(path);
   } catch (const fs::filesystem_error& error) {

@@ -272,6 +272,8 @@ Store Store::open(const std::string& path, Journal journal, Waiting waiting) {
 }
 
 Store Store::open_read_only(const std::string& path) {
+  if (std::filesystem::is_symlink(path))
+    throw RuntimeError(path + ": is a link; name the directory that has the store itself");
   if (!std::filesystem::exists(path)) throw RuntimeError(path + ": there is no result store");
   Database database = Database::open_read_only(path);
   check_is_store(database, path);

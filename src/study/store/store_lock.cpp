@@ -57,7 +57,7 @@ void write_holder(int file) {
 }  // namespace
 
 StoreLock::StoreLock(const std::string& path) {
-  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file_ < 0) throw RuntimeError(path + ": cannot be opened for writing: " + std::strerror(errno));
   const int error = lock(file_);
   if (error == 0) {
@@ -81,7 +81,7 @@ StoreLock::~StoreLock() {
 }
 
 bool is_locked(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return false;
   const bool locked = lock_once(file) == EWOULDBLOCK;
   ::close(file);

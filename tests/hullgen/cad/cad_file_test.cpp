@@ -31,6 +31,7 @@
 #include "hullgen/bow/bow_mesh.h"
 #include "hullgen/bow/family.h"
 #include "hullgen/bow/feasibility.h"
+#include "hullgen/cad/cad_import.h"
 #include "tests/support/paper_bows.h"
 
 using namespace icebow;
@@ -204,4 +205,21 @@ TEST_CASE("a CAD file that cannot be written, or has no known ending, is named")
   const Scratch scratch;
   for (const char* name : {"missing/hull.step", "missing/hull.igs"})
     CHECK_THROWS_AS(write_cad(scratch.file(name), hull, "h"), RuntimeError);
+}
+
+TEST_CASE("a STEP file that crashes OpenCASCADE is refused in words") {
+  const Scratch scratch;
+  BowParameters bow = preset_bow(all_families().front());
+  bow.panel = bow.B / 12.0;
+  const std::string path = scratch.file("hull.step");
+  write_cad(path, hull_surfaces(bow), "A hull");
+  std::vector<std::string> notes;
+  CHECK(read_cad(path, notes).quads.size() > 100);
+  CHECK(notes.size() == 1);
+  std::string text = read_text_file(path);
+  const std::size_t first = text.find("#126 = CARTESIAN_POINT");
+  REQUIRE(first != std::string::npos);
+  write_text_file(path, text.replace(first, 22, "#126 = CARTESIAN_PGINT"));
+  CHECK_THROWS_WITH(read_cad(path, notes),
+                    Catch::Contains("hull.step") && Catch::Contains("export it again"));
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/errors.h"
+#include "base/text_file.h"
 #include "solver/output/palette.h"
 #include "solver/output/png_file.h"
 #include "tests/support/scratch.h"
@@ -117,4 +118,20 @@ TEST_CASE("Palette: few colours stay, many become the nearest of the most freque
           worst, std::abs(double(many.rgb[3 * i + c]) - double(palette.rgb()[3u * indexed.pixels[i] + c])));
   CHECK(worst > 0.0);
   CHECK(Palette({square_at(3)}).size() == 2);
+}
+
+TEST_CASE("Animation: a header that tells of a vast picture is refused before memory is taken for it") {
+  const Scratch folder("animation");
+  const std::string path = folder.path() + "/vast.png";
+  write_png(path, square_at(2));
+  std::string file = read_text_file(path);
+  for (const std::size_t at : {16, 20}) file.replace(at, 4, std::string("\0\0\xea\x60", 4));  // 60000 x 60000
+  std::uint32_t sum = 0xffffffffu;  // CRC-32 of the header chunk
+  for (std::size_t k = 12; k < 29; ++k) {
+    sum ^= static_cast<unsigned char>(file[k]);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ (sum & 1 ? 0xedb88320u : 0);
+  }
+  for (int k = 0; k < 4; ++k) file[29 + k] = static_cast<char>(~sum >> (24 - 8 * k));
+  write_text_file(path, file);
+  CHECK_THROWS_WITH(read_png(path), Catch::Contains("60000 x 60000"));
 }

@@ -1,6 +1,7 @@
 #include "solver/output/picture.h"
 
 #include <png.h>
+#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -88,7 +89,8 @@ const PictureFrame frame{-0.5, 2.5, -0.75, 0.75, 600, 1.0, "", false};
 const QuadMesh hull = shapes::box({-1.0, -0.2, -0.3}, {0.0, 0.2, 0.2}, {2, 2, 2});
 
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "icebow_picture_test";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("icebow_picture_test" + std::to_string(::getpid()));
   Folder() { std::filesystem::create_directories(path); }
   ~Folder() { std::filesystem::remove_all(path); }
   std::string file(const char* name) const { return (path / name).string(); }

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
@@ -74,7 +76,8 @@ struct PolyData {
 };
 
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "icebow_vtp_test";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("icebow_vtp_test" + std::to_string(::getpid()));
   Folder() { std::filesystem::create_directories(path); }
   ~Folder() { std::filesystem::remove_all(path); }
   std::string file(const char* name) const { return (path / name).string(); }

@@ -48,7 +48,7 @@ void kill_while_writing(const Case& c) {
     ::_exit(0);
   }
   // From the first checkpoint on, wait for one that is being written.
-  const std::string unfinished = c.options.checkpoint_file + ".tmp";
+  const std::string unfinished = c.options.checkpoint_file + ".tmp" + std::to_string(child);
   for (int turn = 0; turn < 200000; ++turn) {
     if (fs::exists(c.options.checkpoint_file) && fs::exists(unfinished)) break;
     ::usleep(50);
@@ -96,7 +96,7 @@ TEST_CASE("a disk that is full is an error, and the checkpoint before stays") {
   CHECK_THROWS_AS(c.run_on(), RuntimeError);
   ::setrlimit(RLIMIT_FSIZE, &usual);
   CHECK(fs::file_size(c.options.checkpoint_file) == size);
-  CHECK_FALSE(fs::exists(c.options.checkpoint_file + ".tmp"));
+  CHECK_FALSE(fs::exists(c.options.checkpoint_file + ".tmp" + std::to_string(::getpid())));
   c.resumed_at = -1;
   REQUIRE(c.run_on().status == RunStatus::interrupted);
   CHECK(c.resumed_at == first.steps);

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/json.h"
 #include "base/parallel_file.h"
+#include "solver/contact/floe_contact.h"
 #include "solver/run/case_text.h"
 #include "solver/run/sheet_file.h"
 #include "tests/support/checkpoint_case.h"
@@ -237,6 +238,46 @@ TEST_CASE("a run with water, ice against ice and damped edges goes on as if it h
   check_same_record(second.history, whole);
   CHECK(whole.rows.back().water_loss > 0.0);
   CHECK(whole.rows.back().edge_loss > 0.0);
+}
+
+TEST_CASE("a run that is stopped between two samples goes on as if it had not stopped") {
+  const Communicator& world = test_world();
+  Scenario s = slow();
+  s.numerics.dt_fraction = 0.25;  // more than a hundred steps between two samples
+  s.advance = 0.04;
+  s.V = 1.0;
+  s.sheet.window_ahead = s.sheet.length - 0.1;
+  s.water.added_mass = 0.1;
+  for (const bool floes : {false, true}) {
+    s.numerics.floe_contact = floes;
+    const History whole = simulate(world, tiny_hull(), s, {}).history;
+    REQUIRE(whole.rows.size() > 4);
+    for (const int looks : {1, 2}) {
+      CAPTURE(floes, looks);
+      Files files(world);
+      RunOptions until = files.options;
+      int asked = 0;
+      until.stop = [&] { return ++asked == looks; };
+      const RunResult first = simulate(world, tiny_hull(), s, until);
+      REQUIRE(first.status == RunStatus::interrupted);
+      CHECK(first.steps == looks * (floes ? pairs_every : 1));
+      const RunResult second = simulate(world, tiny_hull(), s, files.options);
+      if (world.is_root()) CHECK(files.resumed_at == first.steps);
+      check_same_record(second.history, whole);
+    }
+  }
+}
+
+TEST_CASE("a checkpoint is written when it is asked for, and the run goes on") {
+  const Communicator& world = test_world();
+  Files files(world);
+  files.options.checkpoint_every_s = 0.0;
+  std::int64_t asked = 0;
+  files.options.checkpoint_now = [&] { return ++asked == 2; };
+  files.options.stop = [&] { return fs::exists(files.options.checkpoint_file); };
+  const RunResult r = simulate(world, tiny_hull(), slow(), files.options);
+  CHECK(r.status == RunStatus::interrupted);
+  CHECK(r.steps > 2);
 }
 
 TEST_CASE("a voyage that is sailed on is the same as one that was long from the start") {

@@ -2,6 +2,8 @@
 #include "study/evaluate/program_evaluator.h"
 
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
 
 #include "base/errors.h"
 #include "study/evaluate/evaluate.h"
@@ -55,10 +57,31 @@ TEST_CASE("what a program does wrong is said in words") {
   const ProgramOutcome slow = outcome_of("sleep 30", 0.2);
   CHECK(slow.timed_out);
   CHECK_THAT(slow.reason, Catch::Contains("time limit of 0.2 s"));
+  CHECK_THAT(outcome_of("echo '{\"a\": 1, \"a\": 2}'").reason, Catch::Contains("given twice"));
   const ProgramOutcome no = outcome_of("echo '{\"infeasible\": \"too deep\"}'");
   CHECK((no.infeasible && no.reason == "too deep"));
   CHECK_THROWS_WITH(run_program({"yard", {"/no/such/program"}, 1.0}, {}, "", nullptr),
                     Catch::Contains("/no/such/program"));
+}
+
+TEST_CASE("a program that floods its stdout or stderr is ended, in lines, in one line or in zeros") {
+  const auto begin = std::chrono::steady_clock::now();
+  for (const char* flood : {"yes", "yes | tr -d '\n'", "cat /dev/zero"})
+    CHECK_THAT(outcome_of(flood, 600.0).reason, Catch::Contains("printed more than 16 MB"));
+  const TemporaryDirectory directory;
+  const ProgramOutcome outcome = run_program(shell("yes >&2", 600.0), {}, directory / "", nullptr);
+  CHECK_THAT(outcome.reason, Catch::Contains("16 MB to its stderr"));
+  CHECK(std::filesystem::file_size(directory / "yard.log") == 16 * 1024 * 1024);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(100));  // limits of 600 s are not met
+}
+
+TEST_CASE("a program that somebody kills is started again, once; then the machine is at fault") {
+  const TemporaryDirectory directory;
+  const std::string mark = directory / "mark";
+  const ProgramOutcome once =
+      outcome_of("[ -e " + mark + " ] || { touch " + mark + "; kill -KILL $$; }; echo '{\"x_N\": 1}'");
+  CHECK((once.reason.empty() && once.output.at("x_N") == 1));
+  CHECK_THROWS_AS(outcome_of("kill -KILL $$"), RuntimeError);
 }
 
 TEST_CASE("a key holds the program: its name, its words and the bytes of its files") {

@@ -136,6 +136,10 @@ TEST_CASE("a directory is emptied for a design, but for what an interrupted simu
   write_text_file(design + "/checkpoint.h5", "");
   clear_design_directory(study, "one");
   CHECK(files() == std::set<std::string>{"checkpoint.h5", "hull_0000.vtp", "ice.pvd", "ice_0000.vtp"});
+  std::filesystem::create_symlink(own / "elsewhere", design + "/ice_0001.vtp");  // would be written through
+  write_text_file(design + "/ice_0002.vtkhdf.tmp", "");
+  clear_design_directory(study, "one");
+  CHECK(files() == std::set<std::string>{"checkpoint.h5", "hull_0000.vtp", "ice.pvd", "ice_0000.vtp"});
   std::filesystem::remove(design + "/checkpoint.h5");
   clear_design_directory(study, "one");
   CHECK(files().empty());
@@ -154,6 +158,14 @@ TEST_CASE("what leads out of a study's directory is not followed") {
   std::filesystem::create_directories(directory / "t");
   std::filesystem::create_directory_symlink(directory / "victim", directory / "t/designs");
   CHECK_THROWS_WITH(run(spec, directory / "t"), Catch::Contains("is a link"));
+  write_text_file(directory / "victim/file", "mine");
+  for (const char* name : {"results.sqlite", "results.sqlite.lock", "results.sqlite-wal"}) {
+    std::filesystem::create_directories(directory / "u");
+    std::filesystem::create_symlink(directory / "victim/file", directory / "u/" + name);
+    CHECK_THROWS_WITH(run(spec, directory / "u"), Catch::Contains("is a link"));
+    CHECK(read_text_file(directory / "victim/file") == "mine");
+    std::filesystem::remove_all(directory / "u");
+  }
   for (const char* name : {"../victim", "..", "a/b", ""})
     CHECK_THROWS_AS(design_directory(directory / "s", name), RuntimeError);
 }

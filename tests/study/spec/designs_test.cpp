@@ -168,6 +168,11 @@ TEST_CASE("designs from a table") {
         baseline + "/bow/stem_deg 21;/operation/speed_kn 3;");
   CHECK_THAT(message("/bow/stem_deg;x\n21,5;1\n"),
              Catch::Contains("d.csv, line 2, /bow/stem_deg") && Catch::Contains("write 21.5"));
+  for (const char* no_number : {"0x19", "inf", "nan", "", "2 1"})
+    CHECK_THAT(message("/bow/stem_deg,x\n" + std::string(no_number) + ",1\n"),
+               Catch::Contains("is no number"));
+  CHECK_THAT(message(std::string("/bow/stem_deg\n21\0 22\n", 20)), Catch::Contains("zero byte"));
+  CHECK_THAT(message("/bow/stem_deg,/bow/stem_deg\n21,22\n"), Catch::Contains("names /bow/stem_deg twice"));
   CHECK_THAT(message("/bow/stem_deg,/ice/thickness_m\n21\n"), Catch::Contains("line 2: has 1 cells"));
   CHECK_THAT(message("stem\n21\n"), Catch::Contains("names no column"));
   CHECK_THAT(message("/bow/stem_deg\n95\n"), Catch::Contains("allowed 5 to 85 deg"));
@@ -176,5 +181,8 @@ TEST_CASE("designs from a table") {
             with(R"({"method": {"type": "table", "columns": ["/bow/stem_deg"], "rows": [[20], [21, 3]]}})"))
             .pointer == "/method/rows/1");
   CHECK(only_mistake(with(R"({"method": {"type": "table"}})")).pointer == "/method/columns");
+  CHECK(only_mistake(with(R"({"method": {"type": "table", "columns": ["/bow/stem_deg", "/bow/stem_deg"],
+                                         "rows": [[20, 21]]}})"))
+            .message == "names a pointer twice; keep one of the two columns");
   std::filesystem::remove_all(path);
 }

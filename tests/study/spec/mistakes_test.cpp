@@ -91,6 +91,9 @@ TEST_CASE("null drops a key that exists; one that does not is a mistake like any
   CHECK(m.pointer == "/designs/0/set/ice/frictoin");
   CHECK_THAT(m.message, Catch::Contains("did you mean \"friction\""));
   CHECK(only_mistake(set(R"({"water": {"scale": null}})")).pointer == "/designs/0/set/water/scale");
+  const std::string scenario = R"({"evaluators": ["lindqvist"], "ranking": {"by": "lindqvist_breaking"},
+      "scenarios": [{"name": "a", "set": {"ice": {"thickness_m": 1, "frictoin": null}}}]})";
+  CHECK(only_mistake(with(scenario)).pointer == "/scenarios/0/set/ice/frictoin");
 }
 
 TEST_CASE("reading designs costs in proportion to their number, and a long wrong word next to nothing") {
