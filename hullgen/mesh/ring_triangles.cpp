@@ -36,8 +36,10 @@ Triangles by_shadow(const std::vector<Vec3>& points, const Ring& ring) {
   Triangles result;
   for (const auto f : surface.faces()) {
     Ring corners;
-    for (const auto v : surface.vertices_around_face(surface.halfedge(f)))
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) {
+      if (corners.size() == 3) return {};  // of a ring that touches itself CGAL makes faces without end
       corners.push_back(ring[static_cast<std::size_t>(v)]);
+    }
     if (corners.size() != 3) return {};
     result.push_back({corners[0], corners[1], corners[2]});
   }
