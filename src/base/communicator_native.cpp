@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/errors.h"
+#include "base/mailbox.h"
 
 namespace icebow {
 namespace {
@@ -31,7 +32,7 @@ std::vector<std::uint64_t> everywhere(std::uint64_t own, int ranks, MPI_Comm com
   return all;
 }
 
-constexpr int gather_tag = 2;
+constexpr int gather_tag = 2, mail_tag = 3;
 
 }  // namespace
 
@@ -158,6 +159,21 @@ std::string mpi_library() {
   MPI_Get_library_version(text, &length);
   const std::string words(text, static_cast<std::size_t>(length));
   return words.substr(0, words.find_first_of(",\n"));
+}
+
+void Mailbox::send(int to, const std::string& text) const {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, mail_tag, comm_.native()->comm);
+}
+
+std::optional<Mail> Mailbox::take() const {
+  int there = 0, length = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, mail_tag, comm_.native()->comm, &there, &status);
+  if (there == 0) return {};
+  MPI_Get_count(&status, MPI_CHAR, &length);
+  Mail mail{status.MPI_SOURCE, std::string(static_cast<std::size_t>(length), '\0')};
+  MPI_Recv(mail.text.data(), length, MPI_CHAR, mail.from, mail_tag, comm_.native()->comm, MPI_STATUS_IGNORE);
+  return mail;
 }
 
 bool MpiSession::started_by_mpirun() {

@@ -35,12 +35,13 @@ PROGRAM = {"description": "a program that evaluates", "type": "object", "additio
 RANKED_BY = ["mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"]
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
 SECTIONS = ["bow", "hold", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
+LEARNING = ["initial", "batch", "least_gain", "prior"]  # keys of the algorithm expected_improvement alone
 METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
                "latin_hypercube": ["variables", "samples", "seed", "extends"],
                "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
                "central_composite": ["variables"], "box_behnken": ["variables"],
                "table": ["file", "columns", "rows"],
-               "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed"]}
+               "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed", *LEARNING]}
 
 
 def rounded(x):
@@ -162,6 +163,10 @@ def method_schema(table):
                                        "items": {"type": "integer", "minimum": 1, "maximum": 99999}}
     keys = [k for k in schema["properties"] if k != "type"]
     schema["allOf"] = [method_rule(kind, keys) for kind in METHOD_KEYS]
+    schema["allOf"].append({
+        "if": {"properties": {"algorithm": {"const": "expected_improvement"}}, "required": ["algorithm"]},
+        "then": {"properties": {"tolerance": False, "max_evaluations": {"maximum": 1000}}},
+        "else": {"properties": {key: False for key in LEARNING}}})
     return schema
 
 

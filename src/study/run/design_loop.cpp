@@ -7,6 +7,7 @@
 #include "study/plan/constraints.h"
 #include "study/plan/ranking.h"
 #include "study/run/crash_mark.h"
+#include "study/run/expected_work.h"
 #include "study/run/failure.h"
 #include "study/run/sailing.h"
 #include "study/run/study_directory.h"
@@ -15,7 +16,8 @@
 namespace icebow {
 
 // For each proposed design: take the stored evaluation of its key, or evaluate and store.
-void DesignLoop::evaluate_all(const std::vector<PlannedDesign>& designs) {
+void DesignLoop::evaluate_all(const std::vector<PlannedDesign>& planned) {
+  const std::vector<PlannedDesign> designs = runner_.at_once() > 1 ? longest_first(planned) : planned;
   auto next = designs.begin();
   while (next != designs.end() || runner_.busy()) {
     if (stopped()) throw Interrupted();
@@ -130,6 +132,7 @@ void DesignLoop::finish(std::vector<Evaluation> ended) {
     });
   for (const Evaluation& evaluation : ended) told(evaluation);
   if (stop) throw Interrupted();
+  if (too_many_failed()) throw RuntimeError(failures_.too_many());
 }
 
 void DesignLoop::keep(Evaluation& evaluation) {
@@ -156,6 +159,7 @@ void DesignLoop::told(const Evaluation& evaluation) {
     for (const Json& note : evaluation.result.at("notes"))
       outcome_.notes.push_back(evaluation.name + ": " + note.get<std::string>());
   under_way_.erase(evaluation.name);
+  failures_.count(evaluation);
   report(evaluation, false);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/plan/design_space.h"
+#include "study/run/failure_rate.h"
 #include "study/run/runner.h"
 #include "study/run/study_observer.h"
 #include "study/spec/study_spec.h"
@@ -29,9 +30,11 @@ class DesignLoop {
         observer_(observer),
         outcome_(outcome) {}
 
-  // Throws Interrupted, and RuntimeError where the machine is at fault; abandon() cleans up after either.
+  // The longest first where several run side by side. Throws Interrupted, and RuntimeError where the machine
+  // is at fault or too many designs fail; abandon() cleans up after either.
   void evaluate_all(const std::vector<PlannedDesign>& designs);
   void abandon();
+  bool too_many_failed() const { return !failures_.too_many().empty(); }
 
   // What the study ranks by, of each design that this loop has recalled or evaluated.
   bool has_seen(const std::string& key) const { return values_.count(key) > 0; }
@@ -58,6 +61,7 @@ class DesignLoop {
   StudyOutcome& outcome_;
   std::map<std::string, PlannedDesign> under_way_;  // by name
   std::map<std::string, double> values_;            // by key
+  FailureRate failures_{spec_.execution.stop_at_failure_rate};
 };
 
 }  // namespace icebow

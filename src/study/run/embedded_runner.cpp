@@ -3,9 +3,8 @@
 #include <chrono>
 
 #include "base/errors.h"
-#include "study/run/crash_mark.h"
-#include "study/run/failure.h"
 #include "study/run/runner.h"
+#include "study/run/together.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -17,50 +16,11 @@ void tell(const Communicator& comm, const Json& order) {
   if (comm.size() > 1) comm.broadcast(json_text(order));
 }
 
-// The evaluator, with an exception of any rank turned into one of all ranks: nobody is left waiting. (Inside
-// the evaluator that is its own duty.)
-Evaluation evaluate_together(const Communicator& comm, const EvaluateFunction& evaluate, const Design& design,
-                             const EvaluateOptions& options) {
-  Evaluation result;
-  std::string error;
-  const CrashMark mark(options.directory + "/" + crash_mark_name);
-  try {
-    result = evaluate(comm, design, options);
-  } catch (const std::exception& e) {
-    error = std::string("evaluating ") + design.name + ": " + e.what();
-  }
-  if (!comm.any(!error.empty())) return result;
-  throw RuntimeError(error.empty() ? "evaluating " + design.name + " failed on another rank" : error);
-}
-
-Json outcome_json(const StudyOutcome& o) {
-  return {{"ok", o.ok},
-          {"infeasible", o.infeasible},
-          {"failed", o.failed},
-          {"recalled", o.recalled},
-          {"interrupted", o.interrupted},
-          {"best", o.best},
-          {"nothing_feasible", o.nothing_feasible},
-          {"notes", o.notes}};
-}
-
-StudyOutcome outcome_from(const Json& json) {
-  StudyOutcome o;
-  o.ok = json.at("ok");
-  o.infeasible = json.at("infeasible");
-  o.failed = json.at("failed");
-  o.recalled = json.at("recalled");
-  o.interrupted = json.at("interrupted");
-  o.best = json.at("best");
-  o.nothing_feasible = json.at("nothing_feasible");
-  o.notes = json.at("notes").get<std::vector<std::string>>();
-  return o;
-}
-
 class EmbeddedRunner : public Runner {
  public:
   EmbeddedRunner(const Communicator& comm, const RunnerContext& context) : comm_(comm), context_(context) {}
 
+  int at_once() const override { return 1; }
   bool has_room() const override { return queue_.empty(); }
   bool busy() const override { return !queue_.empty(); }
   void start(const PlannedDesign& planned) override { queue_.push_back(planned.design); }
@@ -93,11 +53,7 @@ class EmbeddedRunner : public Runner {
     };
     options.checkpoint_now = context_.settings.checkpoint_now;
     Evaluation e = evaluate_together(comm_, context_.settings.evaluate, design, options);
-    if (e.status == EvaluationStatus::running && timed_out) {
-      e.status = EvaluationStatus::failed;
-      e.reason = time_limit_reason(limit);
-      e.result["failure"] = time_limit_failure(limit);
-    }
+    if (timed_out) fail_by_time_limit(e, limit);
     return e;
   }
 
@@ -115,12 +71,7 @@ std::unique_ptr<Runner> make_embedded_runner(const Communicator& comm, const Run
 StudyOutcome serve_embedded(const Communicator& comm, const EvaluateFunction& evaluate) {
   for (;;) {
     const Json order = Json::parse(comm.broadcast(std::string()));
-    if (order.contains("end")) return outcome_from(order.at("end"));
-    if (order.contains("error")) {
-      const std::string message = order.at("error");
-      if (order.at("input").get<bool>()) throw InputError(message);
-      throw RuntimeError(message);
-    }
+    if (is_end(order)) return take_end(order);
     EvaluateOptions options;
     options.directory = order.at("directory").get<std::string>();
     options.keep_checkpoint = true;
@@ -132,12 +83,11 @@ StudyOutcome serve_embedded(const Communicator& comm, const EvaluateFunction& ev
 }
 
 void end_embedded(const Communicator& comm, const StudyOutcome& outcome) {
-  tell(comm, {{"end", outcome_json(outcome)}});
+  tell(comm, end_order(outcome));
 }
 
 void fail_embedded(const Communicator& comm, const std::exception& error) {
-  const bool input = dynamic_cast<const InputError*>(&error) != nullptr;
-  tell(comm, {{"error", error.what()}, {"input", input}});
+  tell(comm, error_order(error));
 }
 
 }  // namespace icebow

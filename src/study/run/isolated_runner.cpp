@@ -75,11 +75,25 @@ bool has_violated_margin(const std::vector<Margin>& margins) {
                      [](const Margin& m) { return m.required && !(m.value >= 0.0); });
 }
 
+// What stands before the program: the study's words, or mpirun where a design has several ranks.
+std::vector<std::string> launcher(const Execution& execution) {
+  const std::string ranks = std::to_string(execution.ranks_per_design), mark = "{ranks}";
+  if (execution.launcher.empty() && execution.ranks_per_design > 1)
+    return {"mpirun", "-n", ranks, "--oversubscribe", "--bind-to", "none"};
+  std::vector<std::string> words = execution.launcher;
+  for (std::string& word : words) {
+    const std::size_t at = word.find(mark);
+    if (at != std::string::npos) word.replace(at, mark.size(), ranks);
+  }
+  return words;
+}
+
 class IsolatedRunner : public Runner {
  public:
   explicit IsolatedRunner(const RunnerContext& context)
       : context_(context), at_once_(static_cast<std::size_t>(jobs_at_once(context))) {}
 
+  int at_once() const override { return static_cast<int>(at_once_); }
   bool has_room() const override {
     return jobs_.size() + quick_.size() + done_.size() < at_once_ && formulas_.size() < formulas_at_once;
   }
@@ -200,9 +214,7 @@ bool IsolatedRunner::launched_again(Job& job) const {
 }
 
 std::vector<std::string> IsolatedRunner::command(const Job& job) const {
-  std::vector<std::string> words;
-  const int ranks = context_.spec.execution.ranks_per_design;
-  if (ranks > 1) words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
+  std::vector<std::string> words = launcher(context_.spec.execution);
   for (const std::string& word :
        {context_.settings.program, std::string("evaluate-design"), std::string("--design-json"),
         job.directory + "/design.json", std::string("--out"), job.directory, std::string("--result"),

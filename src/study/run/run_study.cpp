@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "study/run/grouped_runner.h"
 #include "study/run/runner.h"
 #include "study/run/study_directory.h"
 #include "study/run/study_loop.h"
@@ -36,13 +37,15 @@ RunSettings completed(RunSettings settings) {
   return settings;
 }
 
-StudyOutcome run_on_root(const Communicator& comm, const StudySpec& spec, const RunSettings& settings,
-                         StudyObserver& observer) {
+// How the ranks of a job work: one design after the other, all together (0), or so many at once, in groups.
+StudyOutcome run_on_root(const Communicator& comm, int groups, const StudySpec& spec,
+                         const RunSettings& settings, StudyObserver& observer) {
   StudyDirectory directory = open_study_directory(spec, settings, patience(settings, observer));
   const RunnerContext context{
       directory.spec, settings,
       [&](const std::string& design, const Progress& progress) { observer.on_progress(design, progress); }};
   const auto runner = settings.launcher == Launcher::isolated ? make_isolated_runner(context)
+                      : groups > 0                            ? make_grouped_runner(comm, groups, context)
                                                               : make_embedded_runner(comm, context);
   return StudyLoop(directory.spec, settings, directory.store, *runner, observer).run(directory.notes);
 }
@@ -52,13 +55,17 @@ StudyOutcome run_on_root(const Communicator& comm, const StudySpec& spec, const 
 StudyOutcome run_study(const Communicator& comm, const StudySpec& spec, const RunSettings& given,
                        StudyObserver& observer) {
   const RunSettings settings = completed(given);
-  if (!comm.is_root()) return serve_embedded(comm, settings.evaluate);
+  const int groups = groups_of(comm, spec.execution, settings), ranks = spec.execution.ranks_per_design;
+  const Communicator group = groups > 0 ? split_into_groups(comm, groups, ranks) : comm;
+  if (!comm.is_root())
+    return groups > 0 ? serve_group(comm, group, groups, ranks, settings.evaluate)
+                      : serve_embedded(comm, settings.evaluate);
   try {
-    StudyOutcome outcome = run_on_root(comm, spec, settings, observer);
-    end_embedded(comm, outcome);
+    StudyOutcome outcome = run_on_root(comm, groups, spec, settings, observer);
+    groups > 0 ? end_groups(comm, outcome) : end_embedded(comm, outcome);
     return outcome;
   } catch (const std::exception& error) {
-    fail_embedded(comm, error);
+    groups > 0 ? fail_groups(comm, error) : fail_embedded(comm, error);
     throw;
   }
 }

@@ -16,6 +16,7 @@ class Runner {
  public:
   virtual ~Runner() = default;
 
+  virtual int at_once() const = 0;    // designs that run side by side
   virtual bool has_room() const = 0;  // for one more design at once
   virtual bool busy() const = 0;      // designs are started and not handed back yet
   virtual void start(const PlannedDesign& planned) = 0;

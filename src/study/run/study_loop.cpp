@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "study/evaluate/calibration.h"
 #include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
 #include "study/plan/repeats.h"
 #include "study/plan/variable_ranges.h"
+#include "study/run/learning_loop.h"
 #include "study/run/race_loop.h"
+#include "study/spec/spec_method.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -38,6 +41,7 @@ StudyOutcome StudyLoop::run(std::vector<std::string> notes) {
     outcome_.interrupted = true;
   } catch (...) {
     loop_.abandon();
+    if (loop_.too_many_failed()) store_.set_fact("state", "interrupted");
     throw;
   }
   sum_up();
@@ -58,6 +62,7 @@ void StudyLoop::run_plan(const StudyPlan& plan) {
 }
 
 void StudyLoop::run_optimiser() {
+  if (spec_.method.algorithm == learning_algorithm) return learn();
   OptimiserProblem problem;
   for (const Variable& variable : spec_.method.variables) {
     problem.lower.push_back(variable.lower);
@@ -72,6 +77,36 @@ void StudyLoop::run_optimiser() {
   outcome_.notes.push_back(method.algorithm + " ended after " + std::to_string(result.evaluations) +
                            " points" + (result.best.empty() ? ", none of which has a value: " : ": ") +
                            result.reason);
+}
+
+void StudyLoop::learn() {
+  LearningHooks hooks;
+  hooks.evaluate = [this](const std::vector<std::vector<double>>& points) { return evaluate_points(points); };
+  hooks.margins = [this](const std::vector<double>& x) { return margins_at(x); };
+  hooks.pause = [this] {
+    if (settings_.stop && settings_.stop()) throw Interrupted();
+  };
+  for (std::string& note : run_learning(spec_, settings_, store_, hooks))
+    outcome_.notes.push_back(std::move(note));
+}
+
+// Side by side. A point the study has met already keeps the name it has.
+std::vector<std::vector<std::string>> StudyLoop::evaluate_points(
+    const std::vector<std::vector<double>>& points) {
+  std::vector<std::vector<std::string>> keys;
+  std::vector<PlannedDesign> fresh;
+  std::set<std::string> under_way;
+  for (const std::vector<double>& x : points) {
+    const std::vector<PlannedDesign> runs = runs_of(spec_, design_at(spec_, numbered_name(numbered_ + 1), x));
+    std::vector<std::string> of_runs;
+    for (const PlannedDesign& run : runs) of_runs.push_back(run.key);
+    keys.push_back(of_runs);
+    if (loop_.has_seen(of_runs.front()) || !under_way.insert(of_runs.front()).second) continue;
+    ++numbered_;
+    for (const PlannedDesign& run : runs) store_.add_to_study(run.key), fresh.push_back(run);
+  }
+  evaluate(fresh);
+  return keys;
 }
 
 // The simulation of the best designs by the cycle and of some that are far from them.

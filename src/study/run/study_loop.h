@@ -27,6 +27,8 @@ class StudyLoop {
  private:
   void run_plan(const StudyPlan& plan);
   void run_optimiser();
+  void learn();
+  std::vector<std::vector<std::string>> evaluate_points(const std::vector<std::vector<double>>& points);
   void confirm();
   void race(const std::vector<PlannedDesign>& designs);
   double value_at(const std::vector<double>& x);

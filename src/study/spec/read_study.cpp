@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 #include "base/errors.h"
 #include "base/printable.h"
@@ -122,6 +124,23 @@ void check_not_empty(const StudySpec& spec, Mistakes& mistakes) {
 }
 
 // Every part of the document is read whatever the others hold, so that one look shows all that is wrong.
+std::vector<std::string> launcher_words(const std::string& launcher) {
+  std::istringstream stream(launcher);
+  return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
+}
+
+void check_launcher(const Section& section, const Execution& execution, Mistakes& mistakes) {
+  const std::vector<std::string>& words = execution.launcher;
+  if (words.empty() || execution.ranks_per_design <= 1) return;
+  const bool told = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word.find("{ranks}") != std::string::npos;
+  });
+  if (!told)
+    mistakes.push_back({section.pointer("launcher"),
+                        "does not say how many ranks a design has: write {ranks} where "
+                        "the number belongs, like \"srun --exact -n {ranks}\""});
+}
+
 StudySpec parse_study(const Json& document, const std::string& name, Mistakes& mistakes) {
   StudySpec spec;
   spec.file = name;
@@ -147,7 +166,9 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   if (ranking.good() && evaluators_known) check_ranking(spec, ranking, mistakes);
   const Section execution(document, "execution", 1.0, mistakes);
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
-                    execution.number("time_limit")};
+                    execution.number("time_limit"), execution.number("stop_at_failure_rate"),
+                    launcher_words(execution.text("launcher", ""))};
+  check_launcher(execution, spec.execution, mistakes);
   if (evaluators_known) check_repeats(spec, mistakes);
   if (evaluators_known) check_scenarios(spec, mistakes);
   if (evaluators_known) parse_constraints(document, spec, mistakes);

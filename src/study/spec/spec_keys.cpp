@@ -130,6 +130,10 @@ const std::vector<Key> table = {
   {"method", "algorithm", Quantity::text, 0, 0, false, none, "cobyla", "optimise: which optimiser", {}},
   {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many points, the start among them", {}},
   {"method", "tolerance", Quantity::number, 0, 0.5, false, 0.01, "0.01", "optimise: stop when the parameters move less than this part of their range", {}},
+  {"method", "initial", Quantity::integer, 0, 1000, false, 0, "2 (variables + 1)", "expected_improvement: points of the initial design, the start among them", {}},
+  {"method", "batch", Quantity::integer, 1, 256, false, none, "execution.designs_at_once, or 1", "expected_improvement: points proposed at once after that, to be evaluated side by side", {}},
+  {"method", "least_gain", Quantity::number, 0, 0.5, false, 0.001, "0.001", "expected_improvement: stop when the next point is expected to lower the best load by less than this part of it; 0 = never", {}},
+  {"method", "prior", Quantity::choice, 0, 0, false, none, "cycle for loads of peridynamics, lindqvist for those of the cycle, else none", "expected_improvement: cheaper response that the model begins with", {"none", "lindqvist", "cycle"}},
 
   {"confirm", "best", Quantity::integer, 0, 1000, false, 3, "3", "simulate so many of the best designs by the cycle (docs/cycle.md, \"Two fidelities\")", {}},
   {"confirm", "spread", Quantity::integer, 0, 1000, false, 2, "2", "and so many far from those in the variables, the baseline first: the ratio of simulation and cycle is fitted over both", {}},
@@ -146,6 +150,8 @@ const std::vector<Key> table = {
   {"execution", "ranks_per_design", Quantity::integer, 1, 4096, false, 1, "1", "MPI ranks for one design", {}},
   {"execution", "designs_at_once", Quantity::integer, 0, 4096, false, 0, "0", "designs that run side by side; 0 = as many as the ranks or cores allow", {}},
   {"execution", "time_limit", Quantity::time, 0, 1e8, false, 0, "0", "wall time after which a design is given up; 0 = none", {}},
+  {"execution", "stop_at_failure_rate", Quantity::number, 0, 1, false, 0, "0", "the study ends once more than this part of five designs or more have failed; 0 = it does not", {}},
+  {"execution", "launcher", Quantity::text, 0, 0, false, none, "mpirun -n {ranks} --oversubscribe --bind-to none for two ranks or more, else nothing", "words that start each design's process, like \"srun --exact -n {ranks}\"", {}},
 };
 // clang-format on
 

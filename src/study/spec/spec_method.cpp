@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json_fields.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_table.h"
 #include "study/spec/spec_variables.h"
@@ -11,6 +12,7 @@ namespace icebow {
 namespace {
 
 constexpr double most_designs = 100000;
+constexpr int most_learnt = 1000;
 
 // Keys of "method" that are no single values.
 const std::vector<std::string> lists = {"variables", "extends", "columns", "rows"};
@@ -31,7 +33,8 @@ const std::vector<MethodInfo>& types() {
       {"table", MethodType::table, {"file", "columns", "rows"}, {}},
       {"optimise",
        MethodType::optimise,
-       {"variables", "algorithm", "max_evaluations", "tolerance", "seed"},
+       {"variables", "algorithm", "max_evaluations", "tolerance", "seed", "initial", "batch", "least_gain",
+        "prior"},
        {"min", "max"}},
   };
   return all;
@@ -118,6 +121,55 @@ void check_algorithm(const Section& section, const Method& method, Mistakes& mis
   }
 }
 
+// Some keys are those of expected_improvement alone, and one is not.
+void check_learning(const Json& method, const Method& parsed, Mistakes& mistakes) {
+  const bool learns = parsed.algorithm == learning_algorithm;
+  const std::vector<std::string> others = {"tolerance"}, own = {"initial", "batch", "least_gain", "prior"};
+  for (const std::string& key : learns ? others : own) {
+    if (!method.contains(key)) continue;
+    mistakes.push_back({"/method/" + key, learns
+                                              ? "is not used by expected_improvement; least_gain ends it"
+                                              : "is used by \"algorithm\": \"expected_improvement\" alone"});
+  }
+  if (learns && parsed.max_evaluations > most_learnt)
+    mistakes.push_back({"/method/max_evaluations", "is " + std::to_string(parsed.max_evaluations) +
+                                                       "; expected_improvement takes 1 to " +
+                                                       std::to_string(most_learnt) +
+                                                       ": its model grows with the cube of the points"});
+}
+
+// What is cheap beside the load that is ranked.
+Prior usual_prior(const Json& document) {
+  const Json evaluators = document.value("evaluators", Json::array({"lindqvist", "peridynamics"}));
+  const auto asks = [&](const char* name) {
+    return evaluators.is_array() && std::find(evaluators.begin(), evaluators.end(), name) != evaluators.end();
+  };
+  const Json ranking = document.value("ranking", Json::object());
+  const bool by_load = !ranking.is_object() || !ranking.contains("by") || ranking.at("by") == "mean_load" ||
+                       ranking.at("by") == "mean_load_per_beam";
+  if (by_load && asks("peridynamics") && !document.contains("confirm")) return Prior::cycle;
+  const bool by_cycle = ranking.is_object() && ranking.value("by", Json("")) == "cycle_load";
+  return (by_load || by_cycle) && asks("cycle") ? Prior::lindqvist : Prior::none;
+}
+
+Learning parse_learning(const Json& document, const Section& section) {
+  Learning learning;
+  learning.initial = section.integer("initial");
+  learning.least_gain = section.number("least_gain");
+  const Json execution = document.value("execution", Json::object());
+  const double at_once = execution.is_object() ? number_at(execution, "/designs_at_once") : 0.0;
+  const bool given = document.at("method").contains("batch");
+  learning.batch = given            ? section.integer("batch")
+                   : at_once >= 1.0 ? static_cast<int>(std::min(at_once, 256.0))
+                                    : 1;
+  const std::string prior = section.text("prior", "");
+  learning.prior = prior == "cycle"       ? Prior::cycle
+                   : prior == "lindqvist" ? Prior::lindqvist
+                   : prior == "none"      ? Prior::none
+                                          : usual_prior(document);
+  return learning;
+}
+
 // Numbers of samples that a Latin hypercube grew from.
 std::vector<int> parse_extends(const Json& method, int samples, Mistakes& mistakes) {
   std::vector<int> numbers;
@@ -160,6 +212,7 @@ const std::vector<Algorithm>& algorithms() {
       {"isres", true, true, 1, "global, evolution strategy; keeps to constraints"},
       {"esch", false, true, 1, "global, evolutionary"},
       {"direct_l", false, false, 1, "global, dividing rectangles"},
+      {learning_algorithm, true, true, 1, "global, learns from noisy loads; keeps to constraints"},
   };
   return all;
 }
@@ -197,6 +250,8 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
     method.max_evaluations = section.integer("max_evaluations");
     method.tolerance = section.number("tolerance");
     check_algorithm(section, method, mistakes);
+    check_learning(document.at("method"), method, mistakes);
+    method.learning = parse_learning(document, section);
   }
   return method;
 }

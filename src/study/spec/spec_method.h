@@ -16,6 +16,8 @@ struct Algorithm {
   const char* meaning;
 };
 const std::vector<Algorithm>& algorithms();
+// The one that learns from noisy loads: study/learn/learning_search.h. The others are NLopt's.
+constexpr const char* learning_algorithm = "expected_improvement";
 const Algorithm* find_algorithm(const std::string& name);  // null where unknown
 
 std::string method_name(MethodType type);  // "latin_hypercube"

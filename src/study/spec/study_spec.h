@@ -105,6 +105,17 @@ struct Variable {
   std::vector<double> values;  // there, instead of a range
 };
 
+// A cheaper response that is part of what the search by expected improvement expects.
+enum class Prior { none, lindqvist, cycle };
+
+// Of the algorithm "expected_improvement" (study/learn/learning_search.h).
+struct Learning {
+  int initial = 0;            // points to begin with; 0 = 2 (variables + 1)
+  int batch = 1;              // points proposed at once after that
+  double least_gain = 0.001;  // relative, on the best load
+  Prior prior = Prior::none;
+};
+
 struct Method {
   MethodType type = MethodType::list;
   std::vector<Variable> variables;
@@ -115,6 +126,7 @@ struct Method {
   std::string algorithm;    // optimise: "sbplx", "cobyla", ...
   int max_evaluations = 0;  // optimise
   double tolerance = 0.0;   // optimise: relative, on the parameters
+  Learning learning;        // optimise by expected_improvement
 };
 
 // A named design: a JSON merge patch (RFC 7386) on the study file.
@@ -142,6 +154,10 @@ struct Execution {
   int ranks_per_design = 1;
   int designs_at_once = 0;    // 0 = cores / ranks_per_design
   double time_limit_s = 0.0;  // per design; 0 = none
+  // The study ends once more than this part of its designs have failed; 0 = it does not.
+  double stop_at_failure_rate = 0.0;
+  std::vector<std::string>
+      launcher;  // words before the program; "{ranks}" in one is the number; empty: mpirun
 };
 
 // What a number of each result must keep to.

@@ -29,7 +29,8 @@ OptimiserOptions options_of(const std::string& algorithm, int evaluations) {
 
 TEST_CASE("the reader knows the same optimisers") {
   std::vector<std::string> known;
-  for (const auto& a : algorithms()) known.push_back(a.name);
+  for (const auto& a : algorithms())
+    if (a.name != std::string(learning_algorithm)) known.push_back(a.name);  // beside NLopt's
   auto names = optimiser_names();
   std::sort(known.begin(), known.end());
   std::sort(names.begin(), names.end());
