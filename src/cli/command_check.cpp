@@ -11,6 +11,7 @@
 #include "solver/lattice/lattice.h"
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
+#include "study/look/study_cost.h"
 #include "study/plan/feasible_box.h"
 #include "study/plan/nearest_feasible.h"
 #include "study/plan/variable_ranges.h"
@@ -170,6 +171,40 @@ std::string decide_lines(const StudySpec& spec) {
   return text + "\n";
 }
 
+std::string bytes(double number) {
+  return number < 1e9 ? brief(std::round(number / 1e5) / 10.0) + " MB"
+                      : brief(std::round(number / 1e8) / 10.0) + " GB";
+}
+
+std::string cost_words(const std::string& what, int number, const DesignCost& cost,
+                       const Execution& execution) {
+  const double minutes = cost.core_s / 60.0, hours = cost.core_s * number / 3600.0;
+  std::string text = "  " + std::to_string(number) + " " + what + ": ";
+  text += minutes < 0.1 ? decimals(cost.core_s, 3) + " s" : decimals(minutes, 1) + " min";
+  text += " of a core each";
+  if (execution.ranks_per_design > 1)
+    text += " (" + decimals(minutes / execution.ranks_per_design, 1) + " min by " +
+            std::to_string(execution.ranks_per_design) + " ranks)";
+  return text + ", " + decimals(hours, 2) + " core hours, " + bytes(cost.bytes * number) + "\n";
+}
+
+// What the study takes, by a measurement of some seconds.
+std::string cost_lines(const StudySpec& spec, const StudyPlan& plan) {
+  constexpr double seconds = 5.0;
+  const StudyCost cost = study_cost(spec, plan, seconds);
+  if (!cost.unknown.empty()) return "cost: not known: " + cost.unknown + "\n";
+  std::string text = "cost, at most, by what this machine took for the file's own design:\n";
+  text += cost_words("designs", cost.designs, cost.design, spec.execution);
+  if (cost.confirmations > 0)
+    text += cost_words("simulations", cost.confirmations, cost.confirmation, spec.execution);
+  const double checkpoint = std::max(cost.design.checkpoint, cost.confirmation.checkpoint);
+  if (checkpoint > 0.0)
+    text += "  and " + bytes(checkpoint) + " for the checkpoint of each that is under way\n";
+  if (spec.decide.given) text += "  each leg of the race comes on top\n";
+  if (cost.programs) text += "  programs of your own were not started: their time is not in it\n";
+  return text;
+}
+
 }  // namespace
 
 int run_check(const Communicator&, const Arguments& arguments) {
@@ -192,6 +227,7 @@ int run_check(const Communicator&, const Arguments& arguments) {
             std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
   text += decide_lines(spec);
   if (spec.use_peridynamics || spec.confirm.given()) text += size_line(spec.baseline);
+  if (arguments.has("--cost")) text += cost_lines(spec, plan);
   std::cout << text;
   if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;
   std::cerr << spec.file << ": nothing is feasible: the study would rank no design of its method\n";

@@ -1,12 +1,18 @@
-// `icebow status`, `show`, `export` and `diff`: a study directory read again.
+// `icebow status`, `watch`, `show`, `export` and `diff`: a study directory read again.
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <thread>
 #include <tuple>
 
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "cli/commands.h"
+#include "cli/number_option.h"
+#include "cli/stop_signal.h"
 #include "cli/text_table.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
@@ -34,17 +40,18 @@ std::string newtons(const Json& value) {
 
 std::string status_text(const Json& s) {
   const auto count = [&](const char* key) { return std::to_string(s.at(key).get<int>()); };
-  std::string text = words(s, "name") + ": " + words(s, "state") + "\n" + count("designs") + " designs";
+  const auto words = [&](const char* key) { return text_at(s, std::string("/") + key); };
+  std::string text = words("name") + ": " + words("state") + "\n" + count("designs") + " designs";
   if (s.at("may_follow") > 0) text += ", at most " + count("may_follow") + " more";
   text += ": " + count("ok") + " ok, " + count("infeasible") + " infeasible, " + count("failed") + " failed";
   if (s.at("damaged") > 0) text += ", " + count("damaged") + " damaged";
   text += "\n";
   for (const Json& name : s.at("running")) text += "under way: " + name.get<std::string>() + "\n";
   if (s.at("best").is_string())
-    text += "best so far by " + words(s, "rank_by") + ": " + words(s, "best") + ", " +
-            newtons(s.at("value")) + "\n";
-  return text + "started " + words(s, "started") + " on " + words(s, "host") + " by icebow " +
-         words(s, "version") + "\n  " + words(s, "command") + "\n";
+    text +=
+        "best so far by " + words("rank_by") + ": " + words("best") + ", " + newtons(s.at("value")) + "\n";
+  return text + "started " + words("started") + " on " + words("host") + " by icebow " + words("version") +
+         "\n  " + words("command") + "\n";
 }
 
 constexpr const char* no_interval = nullptr;
@@ -126,6 +133,44 @@ std::string diff_text(const Json& diff, const Arguments& arguments) {
          names_text("only in " + arguments.second, diff.at("only_second"));
 }
 
+// `icebow watch`: the status of a study that another terminal runs, again and again.
+constexpr double shortest = 0.1, usual = 2.0, longest = 3600.0;  //!< between two looks [s]
+
+double interval(const Arguments& arguments) {
+  return number_option(arguments, "--seconds", usual, shortest, longest, "s");
+}
+
+// False where a signal came meanwhile.
+bool sleep_for(double seconds) {
+  constexpr auto moment = std::chrono::milliseconds(50);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (std::chrono::steady_clock::now() < end) {
+    if (StopSignal::raised()) return false;
+    std::this_thread::sleep_for(moment);
+  }
+  return !StopSignal::raised();
+}
+
+// One look takes the place of the one before on a terminal; elsewhere it follows, where something has
+// changed.
+class Window {
+ public:
+  Window() : terminal_(::isatty(STDOUT_FILENO) != 0) {}
+  void show(const std::string& text) {
+    if (text == shown_) return;
+    if (terminal_ && !shown_.empty())
+      std::cout << "\033[" << std::count(shown_.begin(), shown_.end(), '\n') << "A\033[J";
+    else if (!shown_.empty())
+      std::cout << "\n";
+    std::cout << text << std::flush;
+    shown_ = text;
+  }
+
+ private:
+  bool terminal_;
+  std::string shown_;
+};
+
 }  // namespace
 
 int run_status(const Communicator&, const Arguments& arguments) {
@@ -133,6 +178,18 @@ int run_status(const Communicator&, const Arguments& arguments) {
   if (arguments.has("--json")) return print_json(status);
   std::cout << status_text(status);
   return exit_code::ok;
+}
+
+int run_watch(const Communicator&, const Arguments& arguments) {
+  const double seconds = interval(arguments);
+  const StopSignal signals;
+  Window window;
+  for (;;) {
+    const Json status = study_status(arguments.positional);
+    window.show(status_text(status));
+    if (arguments.has("--once") || status.at("state") != "running" || !sleep_for(seconds))
+      return exit_code::ok;
+  }
 }
 
 int run_show(const Communicator&, const Arguments& arguments) {

@@ -39,7 +39,9 @@ const std::vector<Command>& commands() {
        "where "
        "no design is feasible. Nothing is written.",
        "icebow check studies/quickstart.json --set /ice/thickness_m=0.8",
-       {set},
+       {set,
+        {"--cost", "",
+         "minutes, core hours and disk of the study: evaluates the file's own design for some seconds"}},
        false,
        run_check},
       {"hull",
@@ -172,6 +174,16 @@ const std::vector<Command>& commands() {
        {json},
        false,
        run_status},
+      {"watch",
+       "DIR",
+       "the status of a study that another terminal runs, until it ends",
+       "Looks again every two seconds. Ends with the study, or by Ctrl-C, which does not touch the study. "
+       "Where "
+       "the output is no terminal, a status follows the one before where something has changed.",
+       "icebow watch out/sweep",
+       {{"--once", "", "look once"}, {"--seconds", "S", "between two looks; default 2"}},
+       false,
+       run_watch},
       {"show",
        "DIR DESIGN",
        "one design of a study: parameters, result, and the commands that take it up again",

@@ -23,6 +23,7 @@ int run_rank(const Communicator& comm, const Arguments& arguments);
 int run_picture(const Communicator& comm, const Arguments& arguments);
 int run_report(const Communicator& comm, const Arguments& arguments);
 int run_status(const Communicator& comm, const Arguments& arguments);
+int run_watch(const Communicator& comm, const Arguments& arguments);
 int run_show(const Communicator& comm, const Arguments& arguments);
 int run_export(const Communicator& comm, const Arguments& arguments);
 int run_diff(const Communicator& comm, const Arguments& arguments);

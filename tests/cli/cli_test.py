@@ -18,7 +18,7 @@ from program import icebow, FILES, INFEASIBLE, PROGRAM, ProgramTest, STUDIES, TI
 class Usage(ProgramTest):
     def test_help_lists_every_command(self):
         text = self.expect(0, "--help").stdout
-        for command in ("new", "check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "status", "show", "export", "diff",
+        for command in ("new", "check", "hull", "measure", "resistance", "cycle", "calibrate", "simulate", "run", "rank", "status", "watch", "show", "export", "diff",
                         "report"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn(f"usage: icebow {command} ", self.expect(0, "help", command).stdout)
@@ -133,6 +133,14 @@ class Check(ProgramTest):
     def test_files_that_cannot_be_read(self):
         self.assertIn("nowhere.json", self.expect(2, "check", "nowhere.json").stderr)
         self.assertIn("line 21", self.expect(2, "check", FILES / "bad_beyond_schema/syntax_error.json").stderr)
+
+    def test_cost_of_a_study(self):
+        text = self.expect(0, "check", TINY, "--cost", "--set", '/evaluators=["lindqvist"]',
+                           "--set", "/ranking/by=lindqvist_breaking").stdout
+        self.assertRegex(text, r"(?m)^  \d+ designs: 0\.\d+ s of a core each, 0\.00 core hours, [0-9.]+ MB$")
+        text = self.expect(0, "check", TINY, "--cost", "--set", "/execution/ranks_per_design=2").stdout
+        self.assertRegex(text, r"(?m)^  \d+ designs: [0-9.]+ (s|min) of a core each \([0-9.]+ min by 2 ranks\), ")
+        self.assertNotIn("cost", self.expect(0, "check", TINY).stdout)
 
     def test_under_mpi_one_rank_speaks_and_nobody_hangs(self):
         self.assertEqual(self.expect(0, "check", TINY, ranks=2).stdout.count("no mistakes"), 1)
@@ -407,6 +415,13 @@ class Stored(ProgramTest):
                         self.out / "results.sqlite"], check=True)
         self.assertIn("damaged", self.expect(1, "status", self.out).stderr)
         self.assertIn(str(self.directory), self.expect(2, "status", self.directory).stderr)
+
+    def test_watch_says_what_status_says_and_ends_with_the_study(self):
+        status = self.expect(0, "status", self.out).stdout
+        self.assertEqual(self.expect(0, "watch", self.out).stdout, status)
+        self.assertEqual(self.expect(0, "watch", self.out, "--once").stdout, status)
+        self.assertIn("0.1 to 3600", self.expect(2, "watch", self.out, "--seconds", "0").stderr)
+        self.assertIn(str(self.directory), self.expect(2, "watch", self.directory).stderr)
 
     def test_all_numbers_as_csv_and_json(self):
         table = json.loads(self.expect(0, "export", self.out, "--json").stdout)

@@ -64,10 +64,11 @@ TEST_CASE("mean and deviation are those of the formulas, by plain inverses") {
   const double u = 1.0 - ones.dot(inverse * c);
   const Predictions p = process.at(x, VectorXd());
   CHECK(p.mean[0] == Approx(beta + c.dot(inverse * residual)).epsilon(1e-6));  // a jitter of 1e-9 over s^2
-  CHECK(p.sd[0] == Approx(std::sqrt(signal - c.dot(inverse * c) + u * u / weight)).epsilon(1e-6));
+  CHECK(p.sd[0] ==
+        Approx(std::sqrt(signal - c.dot(inverse * c) + u * u / weight)).epsilon(1e-6));  // the jitter
   const double ln = std::log((k / (unit * unit)).determinant()) + std::log(weight * unit * unit) +
                     residual.dot(inverse * residual);
-  CHECK(process.log_likelihood() == Approx(-0.5 * ln).epsilon(1e-6));
+  CHECK(process.log_likelihood() == Approx(-0.5 * ln).epsilon(1e-6));  // the jitter
 }
 
 TEST_CASE("a value left out is predicted as by a process that never had it") {
@@ -88,7 +89,8 @@ TEST_CASE("a value left out is predicted as by a process that never had it") {
     const GaussianProcess without(std::make_shared<const Observations>(rest), same);
     sum += std::pow(without.at(o.points.row(i), VectorXd()).mean[0] - o.values[i], 2);
   }
-  CHECK(process.left_out().rms_error == Approx(std::sqrt(sum / 9)).epsilon(1e-5));
+  CHECK(process.left_out().rms_error ==
+        Approx(std::sqrt(sum / 9)).epsilon(1e-5));  // the jitter, through two inverses
 }
 
 TEST_CASE("exact values are met, and what lies between them is within its interval as often as it says") {
@@ -96,7 +98,7 @@ TEST_CASE("exact values are met, and what lies between them is within its interv
   const GaussianProcess process = fit_process(o);
   REQUIRE(process.usable());
   const Predictions there = process.at(o.points, VectorXd());
-  CHECK((there.mean - o.values).cwiseAbs().maxCoeff() < 1e-4);
+  CHECK((there.mean - o.values).cwiseAbs().maxCoeff() < 1e-4);  // the jitter
   const Observations elsewhere = observe(400, 2, 0.0, wave, 17);
   const Predictions p = process.at(elsewhere.points, VectorXd());
   const auto outside = ((p.mean - elsewhere.values).array().abs() > 1.96 * p.sd.array()).count();
@@ -120,7 +122,7 @@ TEST_CASE("a cheaper response is taken in where it helps, and left out where it 
   o.prior.resize(25);
   for (int i = 0; i < 25; ++i) o.prior[i] = bumpy({o.points(i, 0), o.points(i, 1)});
   const GaussianProcess with = fit_process(o);
-  CHECK(with.prior_factor() == Approx(3.0).epsilon(0.05));
+  CHECK(with.prior_factor() == Approx(3.0).epsilon(0.05));  // 25 values of 0.2 wave() beside it
   for (int i = 0; i < 25; ++i) o.prior[i] = std::sin(1000.0 * o.points(i, 0));
   CHECK(std::isnan(fit_process(o).prior_factor()));
 }
@@ -130,7 +132,7 @@ TEST_CASE("a believed value changes no mean there, and takes the doubt away") {
   const Eigen::RowVectorXd x = Eigen::RowVector2d(0.9, 0.05);
   const Predictions before = process.at(x, VectorXd());
   const Predictions after = process.believing(x, 0.0).at(x, VectorXd());
-  CHECK(after.mean[0] == Approx(before.mean[0]).epsilon(1e-6));
+  CHECK(after.mean[0] == Approx(before.mean[0]).epsilon(1e-6));  // the jitter
   CHECK(after.sd[0] < before.sd[0]);
 }
 
@@ -143,15 +145,15 @@ TEST_CASE("expected improvement is the integral that it stands for, far out too"
       const double t = -10.0 + 20.0 * (i + 0.5) / steps, y = mean + sd * t;
       sum += std::max(target - y, 0.0) * std::exp(-0.5 * t * t) / std::sqrt(2.0 * M_PI) * 20.0 / steps;
     }
-    CHECK(log_expected_improvement(target, mean, sd) == Approx(std::log(sum)).epsilon(1e-6));
+    CHECK(log_expected_improvement(target, mean, sd) == Approx(std::log(sum)).epsilon(1e-6));  // of the sum
   }
   // Where one formula takes over from the other they agree, but for the next term of the tail.
   const double near = log_expected_improvement(-19.9999999, 0.0, 1.0),
                far = log_expected_improvement(-20.0000001, 0.0, 1.0);
-  CHECK(near - far < 1e-5);
+  CHECK(near - far < 1e-5);  // 2e-7 of z, and the next term of the tail
   CHECK(near > far);
   CHECK(log_probability_kept(-19.9999999, 1.0) ==
-        Approx(log_probability_kept(-20.0000001, 1.0)).margin(1e-5));
+        Approx(log_probability_kept(-20.0000001, 1.0)).margin(1e-5));  // likewise
   CHECK(log_worth_of_noisy(3.0, 16.0) == Approx(std::log(1.0 - 4.0 / 5.0)));
   CHECK(log_worth_of_noisy(3.0, 0.0) == 0.0);
 }
