@@ -10,9 +10,9 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "base/stop_signal.h"
 #include "cli/commands.h"
 #include "cli/number_option.h"
-#include "cli/stop_signal.h"
 #include "cli/text_table.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
