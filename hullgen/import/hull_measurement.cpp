@@ -179,14 +179,24 @@ double chord(const Row& row, double at) {
   return (q.s - p.s) / (q.along - p.along);
 }
 
+// Whether a parabola through the n nearest samples would run on beyond them to `at`, though there are samples
+// on its other side: `at` lies in a long panel, which CAD programs make where the line is nearly straight.
+bool extrapolates(const Row& row, double at, std::size_t n) {
+  const auto below = [at](const Sample& s) { return s.along < at; };
+  const auto above = [at](const Sample& s) { return s.along > at; };
+  const auto end = row.begin() + static_cast<std::ptrdiff_t>(n);
+  return (std::all_of(row.begin(), end, below) && std::any_of(end, row.end(), above)) ||
+         (std::all_of(row.begin(), end, above) && std::any_of(end, row.end(), below));
+}
+
 // Slope at `at` of the least-squares parabola through the samples within the window, at least three; where
-// there are only two, of the panel there.
+// there are only two, or all lie on one side of it and there are others, of the panel there.
 double slope(Row row, double at, double window) {
   row = sorted_by_distance(std::move(row), at);
   std::size_t n = 0;
   while (n < row.size() && (n < 3 || std::abs(row[n].along - at) <= window)) ++n;
   if (n < 2) return none;
-  if (n == 2) return chord(row, at);
+  if (n == 2 || extrapolates(row, at, n)) return chord(row, at);
   Eigen::MatrixX3d powers(n, 3);
   Eigen::VectorXd s(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -284,6 +294,11 @@ void Measuring::read_stem(const Cut& profile) {
       -(near >= 3 || row.size() < 3 ? slope(row, 0.0, window_) : chord(sorted_by_distance(row, 0.0), 0.0));
   const double angle = std::atan2(1.0, slopes_.stem);
   take_spread(result_.spread.stem, angle, std::atan2(1.0, -slope(row, 0.0, 2.0 * window_)));
+  if (row.size() < 3) return;
+  // Half a turn of the line beside: what a long panel may hide.
+  const Row close = sorted_by_distance(row, 0.0);
+  const double beside = std::atan2(1.0, -(close[1].s - close[0].s) / (close[1].along - close[0].along));
+  if (extrapolates(close, 0.0, 3)) take_spread(result_.spread.stem, angle, 0.5 * (angle + beside));
 }
 
 void Measuring::read_entrance(const Cut& entrance) {

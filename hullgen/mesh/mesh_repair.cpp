@@ -380,6 +380,39 @@ QuadMesh with_mirror_image(const QuadMesh& mesh, const std::string& path, MeshRe
   return result;
 }
 
+namespace {
+
+// A lid may fall on a panel that hung loose beside its hole: what is there twice goes, and may leave a hole.
+void close_holes(QuadMesh& mesh, MeshRepairs& repairs) {
+  for (int round = 0; round < 3 && count_edges(mesh).open > 0 && !is_half(mesh); ++round) {
+    const HoleRepairs holes = fill_holes(mesh);
+    repairs.notes.insert(repairs.notes.end(), holes.words.begin(), holes.words.end());
+    if (count_edges(mesh).branching > 0) mesh = joined(mesh, repairs);
+    if (!holes.filled) break;
+  }
+}
+
+// Panels that share one edge with the rest and have the others free, as walls do that end at the rim of a
+// hole: where the holes close without them they are left out.
+void close_without_flaps(QuadMesh& mesh, MeshRepairs& repairs) {
+  std::vector<int> shared(mesh.quads.size(), 0);
+  for_each_edge(edge_uses(mesh), [&](const EdgeUse* first, const EdgeUse* last) {
+    for (const EdgeUse* use = first; last - first > 1 && use < last; ++use) ++shared[use->panel];
+  });
+  QuadMesh rest = with_panels(mesh, [&](std::size_t k) { return shared[k] > 1; });
+  const auto left = mesh.quads.size() - rest.quads.size();
+  if (left == 0 || left > std::max<std::size_t>(1, mesh.quads.size() / 20)) return;
+  MeshRepairs then = repairs;
+  then.notes.push_back(text("%zu %s that hung free at the rim of a hole %s left out", left,
+                            left == 1 ? "panel" : "panels", left == 1 ? "was" : "were"));
+  close_holes(rest, then);
+  if (count_edges(rest).open > 0) return;
+  mesh = std::move(rest);
+  repairs = std::move(then);
+}
+
+}  // namespace
+
 QuadMesh repaired(const QuadMesh& mesh, const std::string& path, MeshRepairs& repairs) {
   QuadMesh result = without_unused_points(joined(mesh, repairs));
   if (result.quads.empty()) throw InputError(path + ": has no panel with an area");
@@ -387,14 +420,8 @@ QuadMesh repaired(const QuadMesh& mesh, const std::string& path, MeshRepairs& re
   const double distance = joining_distance(result);
   if (count_edges(result).open > 0) close_seams(result, distance, repairs);
   if (count_edges(result).branching > 0) remove_inner_panels(result, repairs);
-  // A lid may fall on a panel that hung loose beside its hole: what is there twice goes, and may leave a
-  // hole.
-  for (int round = 0; round < 3 && count_edges(result).open > 0 && !is_half(result); ++round) {
-    const HoleRepairs holes = fill_holes(result);
-    repairs.notes.insert(repairs.notes.end(), holes.words.begin(), holes.words.end());
-    if (count_edges(result).branching > 0) result = joined(result, repairs);
-    if (!holes.filled) break;
-  }
+  close_holes(result, repairs);
+  if (count_edges(result).open > 0 && !is_half(result)) close_without_flaps(result, repairs);
   result = without_unused_points(result);
   repairs.components = turn_outward(result, path, repairs.turned);
   return result;

@@ -1,6 +1,7 @@
 #include "hullgen/mesh/ring_triangles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
@@ -13,7 +14,8 @@ namespace icebow {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
 using Ring = std::vector<int>;
 using Triangles = std::vector<std::array<int, 3>>;
 
@@ -26,8 +28,21 @@ bool has_area(const std::vector<Vec3>& p, const std::array<int, 3>& t) {
   return a.cross(b).norm() > 1e-12 * std::max(a.squaredNorm(), b.squaredNorm());
 }
 
+// CGAL's triangulation of a shadow whose edges cross is undefined.
+bool shadow_is_simple(const std::vector<Vec3>& points, const Ring& ring) {
+  Vec3 normal = Vec3::Zero();  // Newell's
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    normal += points[ring[k]].cross(points[ring[(k + 1) % ring.size()]]);
+  if (!(normal.norm() > 0.0)) return false;
+  const Vec3 u = normal.unitOrthogonal(), v = normal.normalized().cross(u);
+  std::vector<Kernel::Point_2> shadow;
+  for (const int k : ring) shadow.emplace_back(u.dot(points[k]), v.dot(points[k]));
+  return CGAL::is_simple_2(shadow.begin(), shadow.end(), Kernel());
+}
+
 // By the shadow of the ring on its mean plane.
 Triangles by_shadow(const std::vector<Vec3>& points, const Ring& ring) {
+  if (!shadow_is_simple(points, ring)) return {};
   CGAL::Surface_mesh<Point> surface;
   std::vector<CGAL::Surface_mesh<Point>::Vertex_index> vertices;
   for (const int k : ring) vertices.push_back(surface.add_vertex(point(points[k])));
@@ -38,6 +53,8 @@ Triangles by_shadow(const std::vector<Vec3>& points, const Ring& ring) {
     Ring corners;
     for (const auto v : surface.vertices_around_face(surface.halfedge(f))) {
       if (corners.size() == 3) return {};  // of a ring that touches itself CGAL makes faces without end
+      // Where the shadow's edges cross, the crossing is a corner that the ring does not have.
+      if (static_cast<std::size_t>(v) >= ring.size()) return {};
       corners.push_back(ring[static_cast<std::size_t>(v)]);
     }
     if (corners.size() != 3) return {};

@@ -154,6 +154,9 @@ TEST_CASE("holes with one sensible lid are closed, others refused with their siz
   check_base(no_deck);
   CHECK_THAT(told(no_deck), Catch::Contains("hole") && Catch::Contains("filled"));
   check_base(imported(points + sides + bottom + deck));
+  const ImportedHull wall_at_rim = imported(points + "v -50 0 0\n" + sides + bottom + transom + "f 9 7 11\n");
+  check_base(wall_at_rim);
+  CHECK_THAT(told(wall_at_rim), Catch::Contains("hung free at the rim"));
   CHECK_THAT(refusal(points + "f 2 7 6 1\nf 6 8 3 1\n" + deck + transom),
              Catch::Contains("not closed") && Catch::Contains("m across"));
 }
