@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
   timed(comm, "ParaView step: fields and pieces", 3, [&] { own = local_cloud(comm, stepper.sheet()); });
   const std::string part = folder + "/bench_p" + std::to_string(comm.rank()) + ".vtp";
   timed(comm, "ParaView step: vtp, a file a rank", 3, [&] { write_ice_vtp(part, own); });
-  timed(comm, "ParaView step: vtkhdf", 3, [&] { write_ice_vtkhdf(comm, folder + "/bench.hdf", own); });
+  timed(comm, "ParaView step: vtkhdf", 3, [&] { write_ice_vtkhdf(comm, folder + "/bench.hdf", own, false); });
   timed(comm, "sheet gathered, for a picture or the metrics", 1,
         [&] { gather_state(comm, stepper.sheet()); });
-  timed(comm, "picture, sheet gathered", 1, [&] { snapshots.write_due(stepper, s.advance); });
+  timed(comm, "picture, sheet gathered", 1, [&] { snapshots.write_due(stepper, s.advance, {}); });
   const std::string checkpoint = folder + "/bench.h5";
   timed(comm, "checkpoint, to the disk", 3, [&] { save_checkpoint(comm, checkpoint, "bench", run); });
   if (comm.is_root()) std::printf("checkpoint %.1f MB\n", 1e-6 * std::filesystem::file_size(checkpoint));

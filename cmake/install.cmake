@@ -34,6 +34,7 @@ install(FILES ${pages}/icebow.bash DESTINATION ${share}/bash-completion/completi
 install(FILES ${pages}/_icebow DESTINATION ${share}/zsh/site-functions COMPONENT program)
 install(FILES ${pages}/icebow.fish DESTINATION ${share}/fish/vendor_completions.d COMPONENT program)
 install(DIRECTORY studies/ DESTINATION ${share}/icebow/studies COMPONENT program)
+install(DIRECTORY reports/paraview/ DESTINATION ${share}/icebow/paraview COMPONENT program)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "base/json_fields.h"
@@ -156,15 +157,28 @@ const Condition* first_difference(const StudyResults& study) {
   return nullptr;
 }
 
-// "thin (weight 0.7), thick (weight 0.3)".
-std::string scenarios_in_words(const Json& document) {
-  const Json& list = part_at(document, document_key::scenarios);
-  if (!list.is_array()) return {};
+// "0.60 m of 500 kPa at 3 kn"; nothing where it is not known.
+std::string ice_and_speed(const std::shared_ptr<const Case>& c) {
+  if (!c) return {};
+  return fixed(c->ice.h, 2) + "\u00a0m of " + fixed(c->flexural_strength / 1e3, 0) + "\u00a0kPa at " +
+         fixed(c->V / metres_per_second_per_knot, 1) + "\u00a0kn";
+}
+
+// "thin (0.60 m of 500 kPa at 3 kn, weight 0.7) and thick (1.20 m of 500 kPa at 2 kn, weight 0.3)".
+std::string scenarios_in_words(const StudyResults& study) {
+  const Json& list = part_at(study.document, document_key::scenarios);
+  if (!list.is_array() || list.empty()) return {};
+  const auto given = simulated_case(study);
   std::vector<std::string> words;
-  for (const Json& one : list) {
-    const double weight = number_at(one, document_key::scenario_weight);
-    words.push_back(text_at(one, document_key::scenario_name) +
-                    (std::isfinite(weight) ? " (weight " + csv_number(weight) + ")" : ""));
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    const double weight = number_at(list[n], document_key::scenario_weight);
+    std::vector<std::string> of_it;
+    if (given && n < given->scenarios.size()) of_it.push_back(ice_and_speed(given->scenarios[n].given));
+    if (std::isfinite(weight)) of_it.push_back("weight " + csv_number(weight));
+    std::string inside;
+    for (const std::string& part : of_it) inside += (inside.empty() || part.empty() ? "" : ", ") + part;
+    words.push_back(text_at(list[n], document_key::scenario_name) +
+                    (inside.empty() ? "" : " (" + inside + ")"));
   }
   return listed(words, 8);
 }
@@ -198,7 +212,7 @@ std::string over_scenarios(const Json& document) {
 
 Conditions conditions(const StudyResults& study) {
   Conditions found;
-  const std::string scenarios = scenarios_in_words(study.document);
+  const std::string scenarios = scenarios_in_words(study);
   add(found.shared, "Scenarios", scenarios);
   for (const Condition& c : all_conditions)
     if (scenarios.empty() || !c.of_scenario)

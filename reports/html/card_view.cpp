@@ -326,32 +326,33 @@ Json card_body_view(const ReportContent& content, std::size_t i) {
   const Json& result = ranked.evaluation.result;
   const double lambda = std::isfinite(design.lambda) ? design.lambda : 1.0;
   const Json margins = margins_view(result);
-  return {{"name", ranked.evaluation.name},
-          {"lines_plan", design.lines_plan},
-          {"no_lines_plan", design.drawings_left_out
-                                ? "The lines plan is in the design's directory; it was left out to keep "
-                                  "this file small."
-                                : "No lines plan was written for this design; icebow hull draws one."},
-          {"imported", imported_note(result)},
-          {"cautions", cautions(result)},
-          {"tables", tables_view({angles_table(result), loads_table(content, ranked, lambda),
-                                  lindqvist_table(result, ranked, content.unit),
-                                  cycle_table(ranked, content.unit), scenarios_table(result, content.unit)})},
-          {"voyage", design.voyage},
-          {"process", process_view(result, lambda)},
-          {"has_pictures", !design.pictures.empty()},
-          {"picture_colours", "whole ice light, broken bonds dark, the hull outlined"},
-          {"pictures", pictures_view(design)},
-          {"left_out", design.pictures_left_out == 0
-                           ? ""
-                           : std::to_string(design.pictures_left_out) +
-                                 " more in the design's directory; left out to keep this file small."},
-          {"animation", design.animation.empty() ? "" : base64(read_text_file(design.animation))},
-          {"has_margins", !margins.empty()},
-          {"margins", margins},
-          {"fact_lists", fact_lists(ranked, lambda)},
-          {"reproduce", command(content, ranked)},
-          {"cost", cost(ranked)}};
+  return {
+      {"name", ranked.evaluation.name},
+      {"lines_plan", design.lines_plan},
+      {"no_lines_plan", design.drawings_left_out
+                            ? "The lines plan is in the design's directory; it was left out to keep "
+                              "this file small."
+                            : "No lines plan was written for this design; icebow hull draws one."},
+      {"imported", imported_note(result)},
+      {"cautions", cautions(result)},
+      {"tables", tables_view({angles_table(result), loads_table(content, ranked, lambda),
+                              lindqvist_table(result, ranked, content.unit),
+                              cycle_table(ranked, content.unit), scenarios_table(result, content.unit)})},
+      {"voyage", design.voyage},
+      {"process", process_view(result, lambda)},
+      {"has_pictures", !design.pictures.empty()},
+      {"picture_colours", "cracks by their kind, a tint for each floe; each picture explains its colours"},
+      {"pictures", pictures_view(design)},
+      {"left_out", design.pictures_left_out == 0
+                       ? ""
+                       : std::to_string(design.pictures_left_out) +
+                             " more in the design's directory; left out to keep this file small."},
+      {"animation", design.animation.empty() ? "" : base64(read_text_file(design.animation))},
+      {"has_margins", !margins.empty()},
+      {"margins", margins},
+      {"fact_lists", fact_lists(ranked, lambda)},
+      {"reproduce", command(content, ranked)},
+      {"cost", cost(ranked)}};
 }
 
 }  // namespace icebow

@@ -82,7 +82,6 @@ Json charts(const ReportContent& content, const ResponseFit& fit) {
       {"has_both", content.has_loads() && content.has_lindqvist() && study.ranked() > 0},
       {"has_histories", content.has_histories()},
       {"has_optimiser", is_optimised(study)},
-      {"search_ends", "A design on a bound or with a margin near zero is named in the tooltip."},
       {"has_parameters", parameters && study.ranked() > 2},
       {"constant_angles", ""},
       {"simulated_word", simulated ? "Simulated" : "Breaking cycle"},

@@ -129,8 +129,10 @@ const std::vector<Command>& commands() {
       {"simulate",
        "STUDY",
        "one ship-ice run of one design",
-       "Writes DIR/result.json, history.csv, pictures, and ice.pvd and hull.pvd for ParaView (10 snapshots "
-       "where the study asks for none). Takes the file's own design where --design names no other. The same "
+       "Writes DIR/result.json, history.csv, pictures, and ice.pvd, hull.vtp and hull_pressure.pvd for "
+       "ParaView (10 "
+       "snapshots where the study asks for none). Takes the file's own design where --design names no other. "
+       "The same "
        "command again goes on where it was interrupted, on any number of ranks.",
        "mpirun -n 4 icebow simulate studies/calibrated_ice.json --out out/one",
        {set,

@@ -19,7 +19,7 @@ ERRORS = {"ENOSPC": errno.ENOSPC, "EDQUOT": errno.EDQUOT, "EIO": errno.EIO, "EFB
 # What a study goes on without: words for a message, logs of a child, a cache.
 OPTIONAL = ("results.sqlite.lock", "log.txt", "cache")
 OF_A_STUDY = ("study.json", "results.sqlite", "results.sqlite-wal", "design.json", "hull.obj", "lines.svg",
-              "history.csv", "ice_000.png", "ice_0000", "ice.pvd", "hull_0000", "hull.pvd", "checkpoint.h5",
+              "history.csv", "ice_000.png", "ice_0000", "ice.pvd", "hull.vtp", "hull_pressure", "checkpoint.h5",
               "result.json", "evaluation.json", "ranking.csv", "ranking.md", "report.html", *OPTIONAL[:2])
 OF_A_HULL = ("hull.obj", "hull.stl", "hull.ply", "hull.vtp", "hull.svg", "hull.pdf", "hull.step", "hull.igs")
 OFTEN = {"ICEBOW_CHECKPOINT_SECONDS": "0.05"}

@@ -102,7 +102,7 @@ class Simulate(ProgramTest):
         self.assertGreater(metrics["mean_load_N"], 0)
         self.assertAlmostEqual(metrics["full_scale"]["mean_load_N"] / metrics["mean_load_N"], 25 ** 3, places=6)
         self.assertEqual(result["simulation"]["nz"], 2)
-        for name in ("history.csv", "ice.pvd", "hull.pvd"):
+        for name in ("history.csv", "ice.pvd", "hull.vtp", "hull_pressure.pvd"):
             self.assertTrue((out / name).stat().st_size > 0, name)
         self.assertTrue(any(out.glob("ice_*.png")))
         rows = (out / "history.csv").read_text().splitlines()

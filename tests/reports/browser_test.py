@@ -2,7 +2,8 @@
 
     browser_test.py WRITE_SAMPLE_REPORT AXE_MIN_JS ICEBOW
 
-axe-core looks at every page in light and dark: what it finds fails the test.
+axe-core looks at every page in light and dark: what it finds fails the test. Every page is laid out for a desktop, a
+small laptop and a phone: layout.js tells what is cut, sticks out or overlaps.
 """
 
 import base64
@@ -107,6 +108,17 @@ const rows = () => document.querySelectorAll("table.ranking tbody tr");
 """
 
 
+WIDTHS = (1440, 1024, 390)
+# The page in a frame of each width; what its layout.js says, in one attribute.
+FRAMES = """<!doctype html><html><body><script>
+const said = [];
+addEventListener("message", ({ data }) => {
+  said.push(data.wrong.length ? `${data.wide} px: ${data.wrong.slice(0, 8).join("; ")}` : "");
+  if (said.length === %d) document.documentElement.dataset.layout = said.filter(Boolean).join(" | ") || "nothing";
+});
+</script>%s</body></html>"""
+
+
 def page_in_browser(browser, html, address="#charts=all"):
     with tempfile.TemporaryDirectory() as profile:
         command = [browser, *FLAGS, "--user-data-dir=" + profile, "file://" + html + address]
@@ -148,6 +160,20 @@ def findings_of(browser, html, axe):
     return found
 
 
+def badly_laid_out(browser, html):
+    """What layout.js finds at each width."""
+    with open(os.path.join(os.path.dirname(__file__), "layout.js"), encoding="utf-8") as file:
+        page = os.path.basename(with_reader(html, file.read()))
+    frames = os.path.join(os.path.dirname(html), "frames.html")
+    with open(frames, "w", encoding="utf-8") as file:
+        file.write(FRAMES % (len(WIDTHS), "".join(
+            f'<iframe src="{page}#charts=all" width="{width}" height="1000"></iframe>' for width in WIDTHS)))
+    said = re.search(r'data-layout="([^"]*)"', page_in_browser(browser, frames, ""))
+    if not said or said[1] != "nothing":
+        return [f"layout: {said[1] if said else 'was not looked at'}"]
+    return []
+
+
 def mistakes_of(dom, charts):
     root = re.search(r"<html[^>]*>", dom)
     if not root:
@@ -178,7 +204,8 @@ def main():
             study = os.path.join(directory, kind or "finished")
             write_study(kind, study, directory)
             html = os.path.join(study, "report.html")
-            mistakes = mistakes_of(page_in_browser(browser, html), charts) + findings_of(browser, html, axe)
+            mistakes = mistakes_of(page_in_browser(browser, html), charts)
+            mistakes += findings_of(browser, html, axe) + badly_laid_out(browser, html)
             print(kind or "finished", "ok" if not mistakes else mistakes)
             failed = failed or bool(mistakes)
             if kind not in ("", "many"):

@@ -193,6 +193,22 @@ TEST_CASE("loads over scenarios say so, and do not pass the first one's ice for 
   const Conditions found = conditions(study);
   CHECK(found.ice == "Loads over 2 scenarios, by their worst: thin (weight 0.7) and thick (weight 0.3).");
   for (const Fact& fact : found.shared) CHECK(fact.label != "Ice thickness");
+
+  // A study file that can be read says which ice each of them is, and at what speed.
+  study.document = Json::parse(R"({
+    "icebow_study": 1, "name": "Two ices", "purpose": "Which bow is best in both?",
+    "bow": {"family": "straight_parallel_buttocks", "length_m": 147.2, "beam_m": 23.0, "draft_m": 8.0,
+            "depth_m": 13.5, "bow_length_m": 32.5, "stem_deg": 24.35, "waterline_deg": 22.0, "buttock_deg": 28.0,
+            "flare_deg": 33.0},
+    "ice": {"thickness_m": 1.0, "flexural_strength_kPa": 500}, "operation": {"speed_kn": 4.0},
+    "evaluators": ["lindqvist", "cycle"],
+    "scenarios": [{"name": "thin", "weight": 0.7, "set": {"ice": {"thickness_m": 0.6}}},
+                  {"name": "thick", "weight": 0.3, "set": {"operation": {"speed_kn": 2}}}],
+    "ranking": {"by": "cycle_load", "over_scenarios": "worst"}})");
+  CHECK(
+      conditions(study).ice ==
+      "Loads over 2 scenarios, by their worst: thin (0.60\u00a0m of 500\u00a0kPa at 4.0\u00a0kn, weight 0.7) "
+      "and thick (1.00\u00a0m of 500\u00a0kPa at 2.0\u00a0kn, weight 0.3).");
 }
 
 TEST_CASE("nothing ranked is said, not hidden") {

@@ -141,9 +141,15 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
   return contacts;
 }
 
+std::vector<std::int64_t> HullContact::take_face_impulse() {
+  std::vector<std::int64_t> taken(face_impulse_.size(), 0);
+  taken.swap(face_impulse_);
+  return taken;
+}
+
 // Whether a particle that may be inside is, with what follows from it.
 bool HullContact::touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
-                        ContactLedger& ledger) const {
+                        ContactLedger& ledger) {
   ClosestPoint hit = distance_.closest(position);
   if (hit.signed_distance >= 0.0) {
     if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
@@ -170,7 +176,11 @@ bool HullContact::touch(IceSheet& sheet, std::size_t p, const Vec3& position, do
     sheet.residual[c][p] = 0.0;
     push[c] = sheet.u[c][p] - u_before;
   }
-  impulse.add(-settings_.particle_mass * delta_v, hit.point);
+  const Vec3 on_hull = -settings_.particle_mass * delta_v;
+  impulse.add(on_hull, hit.point);
+  if (!face_impulse_.empty())
+    for (int c = 0; c < 3; ++c)
+      face_impulse_[3 * std::size_t(hit.quad) + c] += whole_multiples(on_hull[c], impulse.linear());
   ledger.struck(p, z, v_before, delta_v, push);
   return true;
 }

@@ -1,6 +1,7 @@
 // The ice touches the hull: relocation, impulse, friction, and the reaction on the hull.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/hull_distance.h"
@@ -64,6 +65,11 @@ class HullContact {
   // adds the impulse of the ice on the hull about that origin, and every strike to `ledger`. Returns the
   // number of particles in contact.
   int apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse, ContactLedger& ledger);
+  // From now on the impulse on each quad of the hull is kept as well.
+  void watch_faces() { face_impulse_.assign(3 * faces_.size(), 0); }
+  // x, y, z of each quad in turn, in whole multiples of ExactImpulse::linear(), since the last call; empty
+  // where nobody watches.
+  std::vector<std::int64_t> take_face_impulse();
   // The ice has been moved by something else than the drift, or renumbered: nothing is known of it any more.
   void look_again() { clearance_.clear(); }
 
@@ -75,9 +81,10 @@ class HullContact {
   template <class Real>
   void approach(const IceSheet& sheet, int jl, int k);
   bool touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
-             ContactLedger& ledger) const;
+             ContactLedger& ledger);
 
-  std::vector<Plane> faces_;  // of the hull's quads
+  std::vector<Plane> faces_;                // of the hull's quads
+  std::vector<std::int64_t> face_impulse_;  // of take_face_impulse()
   HullDistance distance_;
   ContactSettings settings_;
   // How far the particles of each own block of a row are from the hull, at least [m]: as they were seen when

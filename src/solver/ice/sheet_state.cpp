@@ -197,13 +197,18 @@ SheetState gather_state(const Communicator& comm, const IceSheet& sheet) {
   return state;
 }
 
-double channel_width(const SheetState& state, int i) {
+ChannelEdges channel_edges(const SheetState& state, int i) {
   const Lattice& lattice = state.lattice;
   const auto stands = [&](int j) { return state.piece[lattice.id(i, j, lattice.nz - 1)] == 0; };
   int j_hi = lattice.ny / 2, j_lo = j_hi - 1;
   while (j_hi < lattice.ny && !stands(j_hi)) ++j_hi;
   while (j_lo >= 0 && !stands(j_lo)) --j_lo;
-  return (j_hi - j_lo - 1) * lattice.dx;
+  return {lattice.y(j_lo) + 0.5 * lattice.dx, lattice.y(j_hi) - 0.5 * lattice.dx};
+}
+
+double channel_width(const SheetState& state, int i) {
+  const ChannelEdges edges = channel_edges(state, i);
+  return std::round((edges.port - edges.starboard) / state.lattice.dx) * state.lattice.dx;
 }
 
 IceCloud cloud(const SheetState& state) {

@@ -26,7 +26,13 @@ SheetState gather_state(const Communicator& comm, const IceSheet& sheet);
 
 IceCloud cloud(const SheetState& state);
 
-// Width around the centre line where the top layer does not stand, at column i [m].
+// Around the centre line the top layer does not stand between these y, at column i [m]; equal where it
+// stands.
+struct ChannelEdges {
+  double starboard = 0.0, port = 0.0;
+};
+ChannelEdges channel_edges(const SheetState& state, int i);
+// Their distance [m].
 double channel_width(const SheetState& state, int i);
 
 // Fills the damage, channel and volume parts of the metrics. The channel is measured at the stations x in

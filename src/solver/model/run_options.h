@@ -27,11 +27,11 @@ enum class Resume {
 };
 
 struct RunOptions {
-  // Where ice.pvd (or ice.hdf.series), hull.pvd, their steps and ice_*.png go; empty = no files.
+  // Where the files for ParaView (docs/paraview.md) and ice_*.png go; empty = no files.
   std::string directory;
   std::string name;     // of the design, in the titles of pictures
   double lambda = 1.0;  // full scale / this run's scale, for the titles and scale bars of pictures
-  int snapshots = 0;    // ParaView snapshots, equally spaced in advance, the last one at the end
+  int snapshots = 0;    // ParaView steps after that of time 0, equally spaced in advance
   SnapshotFormat snapshot_format = SnapshotFormat::vtp;
   // Above 0: the ice starts with small random velocities that are this seed's (solver/ice/stir.h); 0 = at
   // rest.

@@ -20,6 +20,10 @@ using Vec3f = Eigen::Vector3f;
 
 constexpr Color sea{22, 61, 92}, air{226, 234, 238}, standing{236, 242, 246}, crack{44, 54, 68},
     crushed{146, 155, 163};
+// By CrackKind; across the ray, so in bending, as dark as a crack of no known kind.
+constexpr Color crack_tints[crack_kinds] = {{124, 58, 168}, {30, 36, 48},  {208, 44, 120},
+                                            {122, 104, 92}, {0, 118, 112}, {168, 172, 178}};
+constexpr Color channel_line{245, 158, 11};
 constexpr Color hull_fill{176, 60, 48}, hull_line{92, 20, 18};
 // Light enough that cracks stay darker than any of them, in an order that keeps successive numbers apart.
 constexpr Color floe_tints[] = {{173, 214, 235}, {240, 221, 178}, {188, 224, 196}, {214, 200, 236},
@@ -30,18 +34,24 @@ float smooth_step(float from, float to, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
+Color crack_color(const IceCloud& ice, std::size_t i) {
+  return ice.crack.empty() || ice.crack[i] == 0 ? crack : crack_tints[ice.crack[i] - 1];
+}
+
 Color ice_color(const IceCloud& ice, std::size_t i) {
   if (ice.piece[i] < 0) return crushed;
   const float dx = static_cast<float>(ice.dx);
   if (ice.piece[i] == 0) {
     // A sheet pressed down by one spacing is a shade darker.
     const float pressed = std::clamp(-ice.uz[i] / dx, -0.3f, 1.0f);
-    return mix(mix(standing, {176, 198, 216}, 0.6f * std::max(0.0f, pressed)), crack,
+    return mix(mix(standing, {176, 198, 216}, 0.6f * std::max(0.0f, pressed)), crack_color(ice, i),
                0.9f * smooth_step(0.15f, 0.45f, ice.damage[i]));
   }
   constexpr int tints = sizeof floe_tints / sizeof floe_tints[0];
   // A small floe is all edge: it must still stand out from the sea.
-  return mix(floe_tints[ice.piece[i] % tints], crack, 0.45f * smooth_step(0.2f, 0.55f, ice.damage[i]));
+  const bool known = !ice.crack.empty() && ice.crack[i] > 0;
+  return mix(floe_tints[ice.piece[i] % tints], crack_color(ice, i),
+             (known ? 0.65f : 0.45f) * smooth_step(0.2f, 0.55f, ice.damage[i]));
 }
 
 // Light from the upper left, nothing changed on a level face.
@@ -135,16 +145,31 @@ void draw_section(Canvas& canvas, const IceCloud& ice, const std::vector<Tile>& 
   canvas.stroke(outline, 2.0, hull_line, 0.95f);
   canvas.rectangle(0.0, top - 1.0, canvas.width(), top, hull_line);
   const double dot = letter_dot(canvas.width());
-  const std::string words = "section at the centre plane";
+  const std::string words = "section through the bow";
   draw_text(canvas, words, canvas.width() - text_width(words, dot) - 7.0 * dot, top - 12.0 * dot, dot,
             {22, 34, 48});
 }
 
-const std::vector<LegendEntry>& legend() {
-  static const std::vector<LegendEntry> entries = {
-      {standing, "standing ice"}, {floe_tints[0], "floes, a tint each"},
-      {crack, "cracks"},          {crushed, "crushed ice"},
-      {sea, "open water"},        {hull_fill, "hull at the waterline"}};
+std::vector<LegendEntry> crack_legend(const IceCloud& ice) {
+  if (ice.crack.empty()) return {{crack, "cracks"}};
+  static const char* const words[crack_kinds] = {"radial crack",          "crack across, in bending",
+                                                 "splitting crack",       "crushed at the hull",
+                                                 "broken again under it", "held edge"};
+  // The held edge is the sheet's doing and is seen in a few pictures.
+  std::vector<LegendEntry> entries;
+  for (int kind = 0; kind < crack_kinds; ++kind)
+    if (CrackKind(kind) != CrackKind::held_edge) entries.push_back({crack_tints[kind], words[kind]});
+  return entries;
+}
+
+std::vector<LegendEntry> legend(const IceCloud& ice, const PictureFrame& frame) {
+  if (frame.title.empty()) return {};
+  std::vector<LegendEntry> entries = {{standing, "standing ice"}, {floe_tints[0], "floes, a tint each"}};
+  for (const LegendEntry& entry : crack_legend(ice)) entries.push_back(entry);
+  entries.push_back({crushed, ice.crack.empty() ? "crushed ice" : "small pieces"});
+  entries.push_back({sea, "open water"});
+  if (!ice.crack.empty()) entries.push_back({channel_line, "edge of the channel"});
+  entries.push_back({hull_fill, "hull at the waterline"});
   return entries;
 }
 
@@ -152,7 +177,7 @@ const std::vector<LegendEntry>& legend() {
 
 void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh& hull, double hull_x,
                     const PictureFrame& frame) {
-  const std::vector<LegendEntry> entries = frame.title.empty() ? std::vector<LegendEntry>() : legend();
+  const std::vector<LegendEntry> entries = legend(ice, frame);
   const double metres_per_pixel = (frame.x_max - frame.x_min) / frame.width_px;
   const double foot = legend_height(entries, frame.width_px),
                head = title_height(frame.title, frame.width_px);
@@ -168,6 +193,7 @@ void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh
   for (std::size_t i = 0; i < tiles.size(); ++i) draw_particle(canvas, ice, i, tiles[i], top);
 
   const std::vector<Segment> waterline = moved(hull_section(hull, 0.0), hull_x);
+  canvas.stroke(frame.channel, 1.6, channel_line, 0.9f);
   canvas.fill(waterline, hull_fill, 0.42f);
   canvas.stroke(moved(hull_section(hull, top), hull_x), 1.0, hull_line, 0.45f);
   canvas.stroke(waterline, 2.0, hull_line, 0.95f);

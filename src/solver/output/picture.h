@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "geometry/hull_section.h"
 #include "geometry/quad_mesh.h"
 #include "solver/ice/ice_cloud.h"
 
@@ -15,14 +17,15 @@ struct PictureFrame {
   std::string title;  // a line above the picture, with the colours explained below; empty: neither
   bool section =
       false;  // below: the ice within a spacing of the plane y = 0 and the hull in it, from the side
+  std::vector<Segment> channel;  // its edges, a line each [m]
 };
 
 // Ice seen from above, bow to the right, port up: the standing sheet near-white, floes by number in
-// distinguishable tints, cracks dark, crushed ice as grey specks, open water blue, the deeper under water the
-// bluer. The hull (in its own frame, its origin at (hull_x, 0), z as the ice's) is translucent within its
-// waterline section, with a second line where it meets the ice's upper side. A scale bar gives full-scale
-// metres. Throws RuntimeError naming the file where it cannot be written, std::invalid_argument for an empty
-// window.
+// distinguishable tints, cracks dark or in the colour of their kind, crushed ice as grey specks, open water
+// blue, the deeper under water the bluer. The hull (in its own frame, its origin at (hull_x, 0), z as the
+// ice's) is translucent within its waterline section, with a second line where it meets the ice's upper side.
+// A scale bar gives full-scale metres. Throws RuntimeError naming the file where it cannot be written,
+// std::invalid_argument for an empty window.
 void write_top_view(const std::string& path, const IceCloud& ice, const QuadMesh& hull, double hull_x,
                     const PictureFrame& frame);
 

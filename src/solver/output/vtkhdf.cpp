@@ -65,7 +65,7 @@ class Parts {
   ParallelFile& file_;
 };
 
-void write_grid(const Communicator& comm, ParallelFile& file, const IceCloud& own) {
+void write_grid(const Communicator& comm, ParallelFile& file, const IceCloud& own, bool cracks) {
   const std::int64_t n = own.x.size();
   std::vector<std::int64_t> upwards(n + 1);
   std::iota(upwards.begin(), upwards.end(), 0);
@@ -81,19 +81,20 @@ void write_grid(const Communicator& comm, ParallelFile& file, const IceCloud& ow
   parts.write("/VTKHDF/Connectivity", upwards);
   parts.write("/VTKHDF/Types", std::vector<std::uint8_t>(n, vtk_vertex));
   file.group("/VTKHDF/PointData");
-  parts.write_vectors("/VTKHDF/PointData/displacement", own.ux, own.uy, own.uz);
-  if (!own.vx.empty()) parts.write_vectors("/VTKHDF/PointData/velocity", own.vx, own.vy, own.vz);
+  parts.write_vectors("/VTKHDF/PointData/displacement_m", own.ux, own.uy, own.uz);
+  if (!own.vx.empty()) parts.write_vectors("/VTKHDF/PointData/velocity_m_per_s", own.vx, own.vy, own.vz);
   parts.write("/VTKHDF/PointData/damage", own.damage);
   parts.write("/VTKHDF/PointData/piece", own.piece);
+  if (cracks) parts.write("/VTKHDF/PointData/crack", own.crack);
 }
 
 }  // namespace
 
-void write_ice_vtkhdf(const Communicator& comm, const std::string& path, const IceCloud& own) {
+void write_ice_vtkhdf(const Communicator& comm, const std::string& path, const IceCloud& own, bool cracks) {
   const std::string temporary = path + ".tmp";
   try {
     ParallelFile file = ParallelFile::create(comm, temporary);
-    write_grid(comm, file, own);
+    write_grid(comm, file, own, cracks);
     file.close();
   } catch (const RuntimeError&) {
     if (comm.is_root()) std::remove(temporary.c_str());

@@ -11,8 +11,8 @@
 namespace icebow {
 
 // Collective: one file, one piece a rank; the particles as vertex cells with the point arrays of
-// write_ice_vtp. Complete or absent. Throws RuntimeError naming the file.
-void write_ice_vtkhdf(const Communicator& comm, const std::string& path, const IceCloud& own);
+// write_ice_vtp, crack where all ranks have it. Complete or absent. Throws RuntimeError naming the file.
+void write_ice_vtkhdf(const Communicator& comm, const std::string& path, const IceCloud& own, bool cracks);
 
 // ParaView's list of files over (time [s], file name) pairs; replaced atomically.
 void write_series(const std::string& path, const std::vector<std::pair<double, std::string>>& steps);

@@ -1,6 +1,7 @@
 #include "solver/output/vtp.h"
 
 #include <cstring>
+#include <numeric>
 #include <sstream>
 
 #include "base/json.h"
@@ -75,6 +76,35 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+// The rest of a file whose cells are these quads of the hull, with the corners that they use.
+void write_quads(PolyDataFile& file, const std::string& path, const QuadMesh& hull,
+                 const std::vector<std::int32_t>& quads) {
+  std::vector<std::int32_t> number(hull.points.size(), -1), connectivity, offsets;
+  std::vector<float> points;
+  const auto number_of = [&](std::size_t point) {
+    if (number[point] < 0) {
+      number[point] = static_cast<std::int32_t>(points.size() / 3);
+      for (int c = 0; c < 3; ++c) points.push_back(static_cast<float>(hull.points[point][c]));
+    }
+    return number[point];
+  };
+  if (quads.size() == hull.quads.size())  // the whole hull keeps its points' numbers
+    for (std::size_t point = 0; point < hull.points.size(); ++point) number_of(point);
+  for (const std::int32_t q : quads) {
+    for (int corner = 0; corner < (hull.is_triangle(q) ? 3 : 4); ++corner)
+      connectivity.push_back(number_of(hull.quads[q][corner]));
+    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
+  }
+  file.open("Points");
+  file.array("Points", 3, points);
+  file.close("Points");
+  file.open("Polys");
+  file.array("connectivity", 1, connectivity);
+  file.array("offsets", 1, offsets);
+  file.close("Polys");
+  file.write(path, points.size() / 3, 0, quads.size());
+}
+
 }  // namespace
 
 void write_ice_vtp(const std::string& path, const IceCloud& ice) {
@@ -86,10 +116,11 @@ void write_ice_vtp(const std::string& path, const IceCloud& ice) {
   }
   PolyDataFile file;
   file.open("PointData");
-  file.array("displacement", 3, interleaved(ice.ux, ice.uy, ice.uz));
-  if (!ice.vx.empty()) file.array("velocity", 3, interleaved(ice.vx, ice.vy, ice.vz));
+  file.array("displacement_m", 3, interleaved(ice.ux, ice.uy, ice.uz));
+  if (!ice.vx.empty()) file.array("velocity_m_per_s", 3, interleaved(ice.vx, ice.vy, ice.vz));
   file.array("damage", 1, ice.damage);
   file.array("piece", 1, ice.piece);
+  if (!ice.crack.empty()) file.array("crack", 1, ice.crack);
   file.close("PointData");
   file.open("Points");
   file.array("Points", 3, interleaved(ice.x, ice.y, ice.z));
@@ -101,7 +132,7 @@ void write_ice_vtp(const std::string& path, const IceCloud& ice) {
   file.write(path, n, n, 0);
 }
 
-void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pieces) {
+void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pieces, bool cracks) {
   std::ostringstream xml;
   xml << "<?xml version=\"1.0\"?>\n"
       << "<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
@@ -110,10 +141,11 @@ void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pie
     xml << "<PDataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
         << "\"/>\n";
   };
-  array("Float32", "displacement", 3);
-  array("Float32", "velocity", 3);
+  array("Float32", "displacement_m", 3);
+  array("Float32", "velocity_m_per_s", 3);
   array("Float32", "damage", 1);
   array("Int32", "piece", 1);
+  if (cracks) array("Int32", "crack", 1);
   xml << "</PPointData>\n<PPoints>\n";
   array("Float32", "Points", 3);
   xml << "</PPoints>\n";
@@ -122,32 +154,34 @@ void write_ice_pvtp(const std::string& path, const std::vector<std::string>& pie
   write_text_file(path, xml.str());
 }
 
-void write_hull_vtp(const std::string& path, const QuadMesh& hull, double hull_x) {
-  std::vector<float> points;
-  points.reserve(3 * hull.points.size());
-  for (const Vec3& p : hull.points)
-    points.insert(points.end(),
-                  {static_cast<float>(p.x() + hull_x), static_cast<float>(p.y()), static_cast<float>(p.z())});
-  std::vector<std::int32_t> connectivity, offsets;
+void write_hull_vtp(const std::string& path, const QuadMesh& hull) {
+  std::vector<std::int32_t> all(hull.quads.size());
+  std::iota(all.begin(), all.end(), 0);
   std::vector<std::uint8_t> patch;
-  for (std::size_t q = 0; q < hull.quads.size(); ++q) {
-    const auto& corners = hull.quads[q];
-    connectivity.insert(connectivity.end(), corners.begin(), corners.end() - (hull.is_triangle(q) ? 1 : 0));
-    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
-    patch.push_back(static_cast<std::uint8_t>(hull.patch[q]));
-  }
+  for (const Patch p : hull.patch) patch.push_back(static_cast<std::uint8_t>(p));
   PolyDataFile file;
   file.open("CellData");
   file.array("patch", 1, patch);
   file.close("CellData");
-  file.open("Points");
-  file.array("Points", 3, points);
-  file.close("Points");
-  file.open("Polys");
-  file.array("connectivity", 1, connectivity);
-  file.array("offsets", 1, offsets);
-  file.close("Polys");
-  file.write(path, hull.points.size(), 0, hull.quads.size());
+  write_quads(file, path, hull, all);
+}
+
+void write_pressure_vtp(const std::string& path, const QuadMesh& hull,
+                        const std::vector<PressedQuad>& pressed) {
+  std::vector<std::int32_t> quads;
+  std::vector<float> pressure, traction;
+  for (const PressedQuad& p : pressed) {
+    quads.push_back(p.quad);
+    pressure.push_back(static_cast<float>(p.pressure));
+    for (int c = 0; c < 3; ++c) traction.push_back(static_cast<float>(p.traction[c]));
+  }
+  PolyDataFile file;
+  file.open("CellData");
+  file.array("quad", 1, quads);
+  file.array("ice_pressure_Pa", 1, pressure);
+  file.array("ice_traction_Pa", 3, traction);
+  file.close("CellData");
+  write_quads(file, path, hull, quads);
 }
 
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& steps) {

@@ -21,7 +21,7 @@
 namespace icebow {
 namespace {
 
-constexpr int format_version = 5;
+constexpr int format_version = 6;
 
 // The doubles and the integers of a row, each in a list of its own.
 struct RowWriter {

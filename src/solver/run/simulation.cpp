@@ -193,6 +193,7 @@ class Loop {
     Checkpoints checkpoints(comm_, hull_, s_, options_);
     checkpoints.resume(state, result_.steps);
     snapshots.go_on(s_.V * stepper.time());
+    snapshots.start(stepper);
     const std::int64_t first_step = stepper.steps();
     stepper.timer().start();
     last_report_ = Clock::now();
@@ -220,6 +221,10 @@ class Loop {
   }
 
  private:
+  static CracksSoFar cracks_of(const RunState& state) {
+    return [&state] { return state.process.cracked_places(state.stepper); };
+  }
+
   void conclude(RunState& state, Checkpoints& checkpoints, std::int64_t first_step) {
     Stepper& stepper = state.stepper;
     Recorder& recorder = state.recorder;
@@ -231,7 +236,7 @@ class Loop {
     result_.linear_share = mean_linear_share(state.linear);
     result_.ns_per_bond = ns_per_bond(stepper.steps(), result_.wall_seconds);
     if (result_.status == RunStatus::ok && result_.ended == RunEnd::advance_reached)
-      snapshots.write_due(stepper, s_.advance);
+      snapshots.write_due(stepper, s_.advance, cracks_of(state));
     const bool keep = options_.keep_checkpoint || options_.to_be_sailed_on;
     if (result_.status != RunStatus::interrupted && !keep) checkpoints.remove();
     result_.steps = stepper.steps();
@@ -256,7 +261,7 @@ class Loop {
     state.linear.linear += linear.linear;
     state.linear.all += linear.all;
     const auto before = Clock::now();
-    state.snapshots.write_due(stepper, s_.V * stepper.time());
+    state.snapshots.write_due(stepper, s_.V * stepper.time(), cracks_of(state));
     stepper.timer().lap(Phase::output);
     report(stepper, state.recorder.history());
     result_.output_seconds += seconds_since(before);
@@ -274,6 +279,7 @@ class Loop {
     if (sampled || wish != Wish::none) {
       const auto before = Clock::now();
       state.wall_seconds = seconds_since(start_);
+      state.snapshots.count_pressure(state.stepper);
       checkpoints.write_due(state,
                             wish != Wish::none || (sampled && is_last_sample(state.stepper, state.recorder)));
       result_.output_seconds += seconds_since(before);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/communicator.h"
 #include "solver/contact/contact.h"
@@ -42,6 +43,9 @@ class Stepper {
   const ExactImpulse& impulse() const { return impulse_; }
   // Of this rank, since the last take_impulse().
   ExactImpulse take_impulse();
+  // Of this rank, as HullContact says.
+  void watch_faces() { contact_.watch_faces(); }
+  std::vector<std::int64_t> take_face_impulse() { return contact_.take_face_impulse(); }
   int contacts() const { return contacts_; }  // particles touching the hull now, this rank
   std::int64_t broken_bonds() const {
     return broken_bonds_;

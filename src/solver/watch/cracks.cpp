@@ -144,13 +144,27 @@ Crack describe(const std::vector<Site>& sites, const CrackedSheet& sheet) {
   return crack;
 }
 
+bool too_short(const Crack& crack, const CrackedSheet& sheet) {
+  return crack.kind != CrackKind::crushed && crack.length < shortest * sheet.thickness;
+}
+
 }  // namespace
+
+std::vector<CrackedPlace> cracked_places(const CrackedSheet& sheet, const std::vector<Segment>& waterline) {
+  std::vector<CrackedPlace> places;
+  for (const std::vector<Site>& sites : clusters(sites_of(sheet, waterline), sheet.thickness)) {
+    const Crack crack = describe(sites, sheet);
+    if (too_short(crack, sheet)) continue;
+    for (const Site& s : sites) places.push_back({s.x, s.place.y(), crack.kind});
+  }
+  return places;
+}
 
 Cracks find_cracks(const CrackedSheet& sheet, const std::vector<Segment>& waterline) {
   Cracks cracks;
   for (const std::vector<Site>& sites : clusters(sites_of(sheet, waterline), sheet.thickness)) {
     const Crack crack = describe(sites, sheet);
-    if (crack.kind != CrackKind::crushed && crack.length < shortest * sheet.thickness) {
+    if (too_short(crack, sheet)) {
       cracks.isolated += crack.columns;
       continue;
     }

@@ -7,6 +7,7 @@
 
 #include "geometry/hull_section.h"
 #include "solver/model/breaking_process.h"
+#include "solver/model/cracked_place.h"
 #include "solver/watch/crack_watch.h"
 
 namespace icebow {
@@ -23,5 +24,7 @@ struct CrackedSheet {
 // Neighbouring columns (two apart at most) of one kind that opened within an advance of one thickness of each
 // other form a crack; what is shorter than two thicknesses is none, but for crushed ice.
 Cracks find_cracks(const CrackedSheet& sheet, const std::vector<Segment>& waterline);
+// The columns of these cracks, of both halves of a half model.
+std::vector<CrackedPlace> cracked_places(const CrackedSheet& sheet, const std::vector<Segment>& waterline);
 
 }  // namespace icebow

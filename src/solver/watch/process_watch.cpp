@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "solver/model/load_cycle.h"
 #include "solver/model/plate_on_water.h"
-#include "solver/watch/cracks.h"
 
 namespace icebow {
 namespace {
@@ -52,7 +51,7 @@ void ProcessWatch::sample(const Stepper& stepper) {
   if (comm_.is_root()) ice_.add(state, block, 0.0, full_beam_x(stepper));
 }
 
-Cracks ProcessWatch::cracks(const Stepper& stepper) const {
+CrackedSheet ProcessWatch::cracked_sheet(const Stepper& stepper) const {
   CrackedSheet sheet;
   sheet.lattice = stepper.sheet().lattice;
   sheet.columns = cracks_.columns();
@@ -61,7 +60,11 @@ Cracks ProcessWatch::cracks(const Stepper& stepper) const {
   if (scenario_.sheet.fixed != FixedEdges::none)
     sheet.held_beyond = 0.5 * sheet.lattice.width() - reach * sheet.lattice.dx;
   sheet.first_touch_x = start_x_;
-  return find_cracks(sheet, hull_section(hull_, 0.0));
+  return sheet;
+}
+
+std::vector<CrackedPlace> ProcessWatch::cracked_places(const Stepper& stepper) const {
+  return icebow::cracked_places(cracked_sheet(stepper), hull_section(hull_, 0.0));
 }
 
 BreakingProcess ProcessWatch::sum_up(const Stepper& stepper, const SheetState& state,
@@ -71,7 +74,7 @@ BreakingProcess ProcessWatch::sum_up(const Stepper& stepper, const SheetState& s
   p.characteristic_length = characteristic_length(floating_sheet(scenario_));
   p.stem_x = stepper.hull_x();
   if (comm_.is_root()) {
-    p.cracks = cracks(stepper);
+    p.cracks = find_cracks(cracked_sheet(stepper), hull_section(hull_, 0.0));
     DetachedIceCount all = ice_;
     all.add(state, state.lattice.nx, 0.0, full_beam_x(stepper));
     p.ice = all.total();

@@ -6,6 +6,7 @@
 #include "solver/model/breaking_process.h"
 #include "solver/step/stepper.h"
 #include "solver/watch/crack_watch.h"
+#include "solver/watch/cracks.h"
 #include "solver/watch/detached_ice.h"
 
 namespace icebow {
@@ -24,6 +25,9 @@ class ProcessWatch {
   // Collective; every rank gets the same. `state` is the sheet at the end, on the root.
   BreakingProcess sum_up(const Stepper& stepper, const SheetState& state, const History& history) const;
 
+  // Of the cracks so far; the same on every rank.
+  std::vector<CrackedPlace> cracked_places(const Stepper& stepper) const;
+
   // As a checkpoint keeps it: columns the same on every rank, the count that of the root.
   std::vector<double> crack_record() const;
   std::vector<double> ice_record() const { return ice_.record(); }
@@ -31,7 +35,7 @@ class ProcessWatch {
 
  private:
   double full_beam_x(const Stepper& stepper) const;
-  Cracks cracks(const Stepper& stepper) const;
+  CrackedSheet cracked_sheet(const Stepper& stepper) const;
 
   const Communicator& comm_;
   const QuadMesh& hull_;

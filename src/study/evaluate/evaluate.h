@@ -35,7 +35,7 @@ constexpr const char* checkpoint_name = "checkpoint.h5";
 // Collective; all ranks return the same. Never throws for what a design can do wrong: that is a status. An
 // interrupted run returns status `running` and must not be stored as finished; the same call goes on with it.
 // The formula alone makes no mesh: `hull.measured_deg` and `hull.mesh` are null, but for a hull of the user's
-// own. Files: result.json, history.csv, lines.svg, hull.obj, ice_*.png, and ice.pvd, hull.pvd where snapshots
+// own. Files: result.json, history.csv, lines.svg, hull.obj, ice_*.png, and ice.pvd, hull.vtp where snapshots
 // are asked for; checkpoint.h5 until result.json is written. Throws RuntimeError for what the machine does (a
 // full disk): that is never a status.
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options);

@@ -48,7 +48,7 @@ bool is_continued(const fs::directory_entry& file) {
   const std::string name = file.path().filename().string();
   if (file.is_symlink() || !file.is_regular_file() || file.path().extension() == ".tmp") return false;
   return name == checkpoint_name || name == std::string(checkpoint_name) + ".damaged" ||
-         name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 || name == "hull.pvd";
+         name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 || name == "hull.vtp";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -85,7 +86,7 @@ Vec3 stay(const Vec3& X) {
   return X;
 }
 
-const PictureFrame frame{-0.5, 2.5, -0.75, 0.75, 600, 1.0, "", false};
+const PictureFrame frame{-0.5, 2.5, -0.75, 0.75, 600, 1.0, "", false, {}};
 const QuadMesh hull = shapes::box({-1.0, -0.2, -0.3}, {0.0, 0.2, 0.2}, {2, 2, 2});
 
 struct Folder {
@@ -127,6 +128,32 @@ TEST_CASE("Picture: sea, sheet, crack, floe and hull where they belong") {
   CHECK(hull_on_sea.r > sea.r + 40);
   CHECK(hull_on_sea.brightness() < 100);
   CHECK(p.at(0.299, 0.0).brightness() < under_hull.brightness() - 40);  // the waterline's line
+}
+
+TEST_CASE("Picture: a crack has the colour of its kind, and the channel its edges") {
+  const auto with_crack = [](CrackKind kind) {
+    IceCloud ice = sheet(stay);
+    std::vector<CrackedPlace> places;
+    for (int j = -25; j < 25; ++j)
+      for (int i : {24, 25}) places.push_back({(i + 0.5) * ice.dx, (j + 0.5) * ice.dx, kind});
+    mark_cracks(ice, places);
+    CHECK(std::count(ice.crack.begin(), ice.crack.end(), 1 + static_cast<int>(kind)) == 2 * 50 * 2);
+    return ice;
+  };
+  const Rgb none = draw(sheet(stay), -5.0).at(0.5, 0.4);
+  const Rgb radial = draw(with_crack(CrackKind::radial), -5.0).at(0.5, 0.4);
+  const Rgb again = draw(with_crack(CrackKind::secondary), -5.0).at(0.5, 0.4);
+  CHECK(std::abs(none.r - none.b) < 40);
+  CHECK(radial.r > radial.g + 30);
+  CHECK(again.g > again.r + 60);
+
+  PictureFrame with_channel = frame;
+  with_channel.channel = {{Vec2(0.1, 0.4), Vec2(0.9, 0.4)}};
+  const Folder folder;
+  write_top_view(folder.file("top.png"), sheet(stay), hull, -5.0, with_channel);
+  const Picture p = read_png(folder.file("top.png"), with_channel);
+  CHECK(p.at(0.7, 0.4).r > p.at(0.7, 0.4).b + 100);
+  CHECK(p.at(0.7, 0.3).brightness() > 225);
 }
 
 TEST_CASE("Picture: a turned floe has no slits and leaves open water") {

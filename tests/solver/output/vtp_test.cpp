@@ -104,7 +104,7 @@ TEST_CASE("VTP: the particles come back") {
   CHECK(number(file.xml, "NumberOfVerts") == 3);
   CHECK(number(file.xml, "NumberOfPolys") == 0);
   CHECK(file.array<float>("Points/Points") == std::vector<float>{1, 4, 7, 2, 5, 8, 3, 6, 9});
-  CHECK(file.array<float>("PointData/displacement") ==
+  CHECK(file.array<float>("PointData/displacement_m") ==
         std::vector<float>{.1f, .4f, .7f, .2f, .5f, .8f, .3f, .6f, .9f});
   CHECK(file.array<float>("PointData/damage") == ice.damage);
   CHECK(file.array<std::int32_t>("PointData/piece") == ice.piece);
@@ -121,32 +121,54 @@ TEST_CASE("VTP: velocities where there are some, and the file that names the ran
   IceCloud ice = three_particles();
   ice.vx = {1, 2, 3}, ice.vy = {4, 5, 6}, ice.vz = {7, 8, 9};
   write_ice_vtp(folder.file("ice_p0.vtp"), ice);
-  CHECK(PolyData(folder.file("ice_p0.vtp")).array<float>("PointData/velocity") ==
+  CHECK(PolyData(folder.file("ice_p0.vtp")).array<float>("PointData/velocity_m_per_s") ==
         std::vector<float>{1, 4, 7, 2, 5, 8, 3, 6, 9});
-  write_ice_pvtp(folder.file("ice.pvtp"), {"ice_p0.vtp", "ice_p1.vtp"});
+  write_ice_pvtp(folder.file("ice.pvtp"), {"ice_p0.vtp", "ice_p1.vtp"}, true);
   const std::string text = read_text_file(folder.file("ice.pvtp"));
-  for (const char* part : {"type=\"PPolyData\"", "<Piece Source=\"ice_p1.vtp\"/>", "Name=\"velocity\""})
+  for (const char* part : {"type=\"PPolyData\"", "<Piece Source=\"ice_p1.vtp\"/>",
+                           "Name=\"velocity_m_per_s\"", "Name=\"crack\""})
     CHECK_THAT(text, Catch::Contains(part));
 }
 
-TEST_CASE("VTP: the hull keeps quads, triangles, patches and its place") {
+TEST_CASE("VTP: the hull keeps quads, triangles and patches, in its own frame") {
   const Folder folder;
   QuadMesh hull = shapes::box({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
   hull.quads[1][3] = hull.quads[1][2];
   hull.patch[2] = Patch::deck;
-  write_hull_vtp(folder.file("hull.vtp"), hull, 5.0);
+  write_hull_vtp(folder.file("hull.vtp"), hull);
   const PolyData file(folder.file("hull.vtp"));
   CHECK(number(file.xml, "NumberOfPolys") == 6);
   CHECK(number(file.xml, "NumberOfPoints") == hull.points.size());
   const auto points = file.array<float>("Points/Points");
-  CHECK(points[0] == Approx(hull.points[0].x() + 5.0));
   const auto offsets = file.array<std::int32_t>("Polys/offsets");
   CHECK(offsets == std::vector<std::int32_t>{4, 7, 11, 15, 19, 23});
   const auto connectivity = file.array<std::int32_t>("Polys/connectivity");
   REQUIRE(connectivity.size() == 23);
-  CHECK(connectivity[6] == hull.quads[1][2]);
-  CHECK(connectivity[7] == hull.quads[2][0]);
+  const auto corner = [&](int n) {
+    return Vec3(points[3 * connectivity[n]], points[3 * connectivity[n] + 1],
+                points[3 * connectivity[n] + 2]);
+  };
+  CHECK((corner(6) - hull.points[hull.quads[1][2]]).norm() < 1e-6);  // floats
+  CHECK((corner(7) - hull.points[hull.quads[2][0]]).norm() < 1e-6);  // floats
   CHECK(file.array<std::uint8_t>("CellData/patch")[2] == static_cast<std::uint8_t>(Patch::deck));
+}
+
+TEST_CASE("VTP: pressed quads keep their number, corners, pressure and traction") {
+  const Folder folder;
+  const QuadMesh hull = shapes::box({0, 0, 0}, {1, 1, 1}, {1, 1, 1});
+  write_pressure_vtp(folder.file("p.vtp"), hull, {{4, 2e5, Vec3(1e5, 0, -2e5)}});
+  const PolyData file(folder.file("p.vtp"));
+  CHECK(number(file.xml, "NumberOfPolys") == 1);
+  CHECK(number(file.xml, "NumberOfPoints") == 4);
+  CHECK(file.array<std::int32_t>("CellData/quad") == std::vector<std::int32_t>{4});
+  CHECK(file.array<float>("CellData/ice_pressure_Pa") == std::vector<float>{2e5f});
+  CHECK(file.array<float>("CellData/ice_traction_Pa") == std::vector<float>{1e5f, 0.0f, -2e5f});
+  const auto points = file.array<float>("Points/Points");
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    for (int c = 0; c < 3; ++c)
+      CHECK(points[3 * corner + c] == static_cast<float>(hull.points[hull.quads[4][corner]][c]));
+  write_pressure_vtp(folder.file("none.vtp"), hull, {});
+  CHECK(number(PolyData(folder.file("none.vtp")).xml, "NumberOfPolys") == 0);
 }
 
 TEST_CASE("PVD: times in full precision, names escaped, rewritten whole") {
@@ -165,6 +187,6 @@ TEST_CASE("PVD: times in full precision, names escaped, rewritten whole") {
 TEST_CASE("VTP: a file that cannot be written is named") {
   const std::string nowhere = "/nonexistent_folder/x.vtp";
   CHECK_THROWS_AS(write_ice_vtp(nowhere, three_particles()), RuntimeError);
-  CHECK_THROWS_WITH(write_hull_vtp(nowhere, {}, 0.0), Catch::Contains(nowhere));
+  CHECK_THROWS_WITH(write_hull_vtp(nowhere, {}), Catch::Contains(nowhere));
   CHECK_THROWS_WITH(write_pvd(nowhere, {}), Catch::Contains(nowhere));
 }

@@ -55,6 +55,11 @@ TEST_CASE("a crack along the ray from the hull is radial, one across it circumfe
   const Cracks found = find_cracks(sheet, wedge);
   REQUIRE(found.list.size() == 2);
   const Crack &first = found.list[0], &second = found.list[1];
+  // The same columns, one by one.
+  const std::vector<CrackedPlace> places = cracked_places(sheet, wedge);
+  REQUIRE(places.size() == std::size_t(first.columns + second.columns));
+  for (const CrackedPlace& place : places)
+    CHECK(place.kind == (place.x < 2.0 ? CrackKind::radial : CrackKind::circumferential));
   CHECK(first.kind == CrackKind::radial);
   CHECK(first.opened == 0.0);
   CHECK(first.x == Approx(0.25));

@@ -131,15 +131,18 @@ TEST_CASE("a directory is emptied for a design, but for what an interrupted simu
     return names;
   };
   clear_design_directory(study, "one");
-  for (const char* name : {"result.json", "evaluation.json", "ice_0000.vtp", "ice.pvd", "hull_0000.vtp"})
+  for (const char* name :
+       {"result.json", "evaluation.json", "ice_0000.vtp", "ice.pvd", "hull_pressure_0000.vtp"})
     write_text_file(design + "/" + name, "");
   write_text_file(design + "/checkpoint.h5", "");
   clear_design_directory(study, "one");
-  CHECK(files() == std::set<std::string>{"checkpoint.h5", "hull_0000.vtp", "ice.pvd", "ice_0000.vtp"});
+  CHECK(files() ==
+        std::set<std::string>{"checkpoint.h5", "hull_pressure_0000.vtp", "ice.pvd", "ice_0000.vtp"});
   std::filesystem::create_symlink(own / "elsewhere", design + "/ice_0001.vtp");  // would be written through
   write_text_file(design + "/ice_0002.vtkhdf.tmp", "");
   clear_design_directory(study, "one");
-  CHECK(files() == std::set<std::string>{"checkpoint.h5", "hull_0000.vtp", "ice.pvd", "ice_0000.vtp"});
+  CHECK(files() ==
+        std::set<std::string>{"checkpoint.h5", "hull_pressure_0000.vtp", "ice.pvd", "ice_0000.vtp"});
   std::filesystem::remove(design + "/checkpoint.h5");
   clear_design_directory(study, "one");
   CHECK(files().empty());

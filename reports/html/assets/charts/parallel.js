@@ -48,18 +48,20 @@ export function drawParallel(data, options) {
   if (!element) return;
   const list = axes(data), designs = [...measured(data)].reverse(); // the best on top
   const width = options.paper ? 680 : Math.max(320, element.clientWidth), step = (width - 2 * SIDE) / Math.max(1, list.length - 1);
-  const x = (k) => SIDE + k * step, y = (axis, value) => TOP + (HEIGHT - TOP - BOTTOM) * (1 - (value - axis.low) / (axis.high - axis.low || 1));
+  // Titles that have no room side by side stand on several lines.
+  const lines = Math.ceil(110 / step), top = TOP + 16 * (lines - 1), height = HEIGHT + top - TOP;
+  const x = (k) => SIDE + k * step, y = (axis, value) => top + (height - top - BOTTOM) * (1 - (value - axis.low) / (axis.high - axis.low || 1));
   const ink = { best: colour("accent"), on: colour("tied"), off: colour("rule"), text: colour("ink"), muted: colour("muted") };
   const line = (design) => {
     const points = list.map((axis, k) => (isNumber(axis.of(design)) ? `${x(k).toFixed(1)},${y(axis, axis.of(design)).toFixed(1)}` : null)).filter(Boolean);
     const on = isChosen(design), best = design.rank === 1 && on;
     return `<polyline points="${points.join(" ")}" fill="none" stroke="${best ? ink.best : on ? ink.on : ink.off}" stroke-width="${best ? 2.6 : 1}" stroke-opacity="${on ? 0.75 : 0.45}"><title>${escaped(design.name)}</title></polyline>`;
   };
-  const scale = (axis, k) => `<line x1="${x(k)}" x2="${x(k)}" y1="${TOP}" y2="${HEIGHT - BOTTOM}" stroke="${ink.muted}"/>`
-    + `<text x="${x(k)}" y="14" text-anchor="middle" fill="${ink.text}" font-size="13">${escaped(axis.title)}</text>`
-    + `<text x="${x(k)}" y="${TOP - 6}" text-anchor="middle" fill="${ink.muted}" font-size="12">${format(axis.high, digits(axis))}</text>`
-    + `<text x="${x(k)}" y="${HEIGHT - BOTTOM + 15}" text-anchor="middle" fill="${ink.muted}" font-size="12">${format(axis.low, digits(axis))}</text>`;
+  const scale = (axis, k) => `<line x1="${x(k)}" x2="${x(k)}" y1="${top}" y2="${height - BOTTOM}" stroke="${ink.muted}"/>`
+    + `<text x="${x(k)}" y="${14 + 16 * (k % lines)}" text-anchor="middle" fill="${ink.text}" font-size="13">${escaped(axis.title)}</text>`
+    + `<text x="${x(k)}" y="${top - 6}" text-anchor="middle" fill="${ink.muted}" font-size="12">${format(axis.high, digits(axis))}</text>`
+    + `<text x="${x(k)}" y="${height - BOTTOM + 15}" text-anchor="middle" fill="${ink.muted}" font-size="12">${format(axis.low, digits(axis))}</text>`;
   const order = [...designs.filter((d) => !isChosen(d)), ...designs.filter(isChosen)];
-  element.innerHTML = `<svg width="${width}" height="${HEIGHT}" viewBox="0 0 ${width} ${HEIGHT}">${order.map(line).join("")}${list.map(scale).join("")}</svg>`;
+  element.innerHTML = `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">${order.map(line).join("")}${list.map(scale).join("")}</svg>`;
   element.dataset.drawn = "true";
 }

@@ -1,29 +1,56 @@
 // An optimiser's way: each design it tried, in order, and the best so far.
-import { axis, describe, draw, isNumber, nice, palette, title, tooltip } from "./kit.js";
+import { axis, describe, draw, format, isNumber, nice, palette, title, tooltip } from "./kit.js";
 
-// "stem_deg on its bound; smallest margin g1 = 0.02".
-function ends(design, bounds) {
-  const words = Object.entries(bounds).flatMap(([pointer, [low, high]]) => {
-    const value = design.parameters[pointer];
-    return isNumber(value) && Math.min(value - low, high - value) < 0.005 * (high - low) ? [`${title(pointer)} on its bound`] : [];
-  });
-  const margin = design.smallest_margin;
-  if (margin) words.push(`smallest margin ${margin.name} = ${Number(margin.value.toPrecision(3))}`);
-  return words.join("; ");
+// "stem, deg at its lowest", for each parameter within half a percent of an end of its range.
+function onBounds(design, bounds) {
+  return Object.entries(bounds).flatMap(([pointer, [low, high]]) => {
+    const value = design.parameters[pointer], near = 0.005 * (high - low);
+    if (!isNumber(value) || Math.min(value - low, high - value) >= near) return [];
+    return [`${title(pointer)} at its ${value - low < near ? "lowest" : "highest"}`];
+  }).join("; ");
 }
+
+const marginOf = ({ smallest_margin: m }) => (m ? `${m.name} = ${Number(m.value.toPrecision(3))}` : "");
+
+const MOST_STEPS = 12;
+
+// The designs that were better than all before them, the last ones first.
+function tellSteps(data, tried, good) {
+  let best = Infinity;
+  const steps = good.filter((design) => design.value < best && ((best = design.value), true)).reverse();
+  const body = document.querySelector("#search-steps tbody");
+  body.replaceChildren(...steps.slice(0, MOST_STEPS).map((design) => {
+    const row = document.createElement("tr");
+    for (const [k, words] of [design.order, design.name, format(design.value / scaleOf(data), data.unit.decimals), onBounds(design, data.bounds) || "none",
+      marginOf(design) || "none given"].entries()) {
+      const cell = row.appendChild(document.createElement("td"));
+      cell.textContent = words;
+      if (k === 0 || k === 2) cell.className = "num";
+    }
+    return row;
+  }));
+  document.getElementById("search-value").textContent = `Value, ${data.rank_by === "mean_load_per_beam" ? "kN/m" : data.unit.name}`;
+  const count = (status) => tried.filter((design) => design.status === status).length;
+  document.getElementById("search-said").textContent = `${tried.length} designs were tried, ${good.length} of them ranked, `
+    + `${count("infeasible")} infeasible, ${count("failed")} failed; ${steps.length} bettered all before them`
+    + (steps.length > MOST_STEPS ? `, the last ${MOST_STEPS} of which are listed.` : ".");
+}
+
+const scaleOf = (data) => (data.rank_by === "mean_load_per_beam" ? 1e3 : data.unit.newtons);
 
 export function drawSearch(data, options) {
   const element = document.getElementById("chart-search");
   if (!element) return;
-  const p = palette(), scale = 1 / (data.rank_by === "mean_load_per_beam" ? 1e3 : data.unit.newtons);
+  const p = palette(), scale = 1 / scaleOf(data);
   const tried = [...data.designs].filter((design) => design.order > 0).sort((a, b) => a.order - b.order);
   const good = tried.filter((design) => design.rank > 0), values = good.map((design) => design.value * scale);
   if (good.length === 0) return;
+  tellSteps(data, tried, good);
   const ends_y = nice(Math.min(...values) * 0.98, Math.max(...values), 5);
   let best = Infinity;
   const line = good.map((design) => { best = Math.min(best, design.value * scale); return [design.order, best]; });
   line.push([tried.at(-1).order, best]);
-  const tell = (design) => `${describe(design, data.unit)}<br>${ends(design, data.bounds)}`;
+  const tell = (design) => [describe(design, data.unit), onBounds(design, data.bounds), marginOf(design) && `smallest margin ${marginOf(design)}`].filter(Boolean).join("<br>");
   const at = (list, symbol, style) => ({ type: "scatter", symbol, symbolSize: 9, itemStyle: style,
     data: list.map((design) => ({ value: [design.order, design.rank > 0 ? design.value * scale : ends_y.min], design })) });
   draw(element, {
