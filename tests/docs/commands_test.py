@@ -21,7 +21,7 @@ LONG = {"run", "simulate", "calibrate"}
 SYSTEM = {"apt-get", "cd", "cpack", "cut", "head", "stat"}  # not ours
 PLACEHOLDERS = {"STUDY": "studies/quickstart.json", "FILE": "studies/quickstart.json", "HULL": "ship.stl",
                 "HULL.stl": "ship.stl", "F.obj": "f.obj", "R": "out", "R1": "out", "R2": "out", "DIR": "out",
-                "OTHER": "out", "DESIGN": "d005", "M": "7", "DEG": "0", "N": "3", "LAYERS": "3", "COMMAND": "run",
+                "OTHER": "out", "DESIGN": "d005", "M": "7", "DEG": "0", "S": "1", "N": "3", "LAYERS": "3", "COMMAND": "run",
                 "RUN": "pictures", "study.json": "studies/quickstart.json"}
 INSIDE_A_WORD = {"FAMILY": "concave", "=N": "=3", "/usr/share/icebow/": ""}
 
