@@ -24,6 +24,12 @@ add_library(nlopt_cxx INTERFACE)
 target_include_directories(nlopt_cxx SYSTEM INTERFACE ${NLOPT_INCLUDE_DIR})
 target_link_libraries(nlopt_cxx INTERFACE ${NLOPT_CXX_LIBRARY})
 
+find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARY muparser REQUIRED)
+add_library(muparser INTERFACE)
+target_include_directories(muparser SYSTEM INTERFACE ${MUPARSER_INCLUDE_DIR})
+target_link_libraries(muparser INTERFACE ${MUPARSER_LIBRARY})
+
 # By file: Debian's package has no CMake files.
 find_path(FFTW3_INCLUDE_DIR fftw3.h REQUIRED)
 find_library(FFTW3F_LIBRARY fftw3f REQUIRED)  # of single precision

@@ -2,10 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "reports/text/text_format.h"
+#include "study/evaluate/result_keys.h"
 
 namespace icebow {
+namespace {
+
+struct Ending {
+  const char *text, *unit;
+  double size;
+};
+
+// Masses in tonnes; loads as the page has them elsewhere.
+std::vector<Ending> endings(const LoadUnit& load) {
+  return {{"_kg", "t", 1e3},       {"_N", load.name.c_str(), load.newtons},
+          {"_m2", "m\u00b2", 1.0}, {"_m3", "m\u00b3", 1.0},
+          {"_m", "m", 1.0},        {"_deg", "\u00b0", 1.0}};
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
 
 bool is_own_number(const std::string& rank_by) {
   return !rank_by.empty() && rank_by[0] == '/';
@@ -45,6 +66,22 @@ std::string ranked_quantity(const std::string& rank_by) {
   std::replace(words.begin(), words.end(), '_', ' ');
   const std::size_t before = last > 0 ? rank_by.rfind('/', last - 1) : std::string::npos;
   return before == std::string::npos ? words : words + " by " + rank_by.substr(before + 1, last - before - 1);
+}
+
+SecondQuantity second_quantity(const Ranking& ranking, const LoadUnit& load) {
+  const std::string& by = ranking.objective.by;
+  if (!is_own_number(by)) return {ranked_quantity(by), load.name, load.newtons};
+  std::string word = by.substr(by.rfind('/') + 1);
+  SecondQuantity quantity;
+  for (const Ending& ending : endings(load)) {
+    if (!ends_with(word, ending.text)) continue;
+    word.resize(word.size() - std::string(ending.text).size());
+    quantity.unit = ending.unit, quantity.size = ending.size;
+    break;
+  }
+  std::replace(word.begin(), word.end(), '_', ' ');
+  quantity.words = result_key::is_margin(by) ? "margin " + word : word;
+  return quantity;
 }
 
 double value_ci95(const RankedDesign& row, const std::string& rank_by) {

@@ -29,4 +29,11 @@ bool is_own_number(const std::string& rank_by);
 // Half width of the 95 % interval of RankedDesign::value [unit of value]; NaN where unknown.
 double value_ci95(const RankedDesign& row, const std::string& rank_by);
 
+// What the second objective is called, its unit, and how many of a result's unit make one of that.
+struct SecondQuantity {
+  std::string words, unit;
+  double size = 1.0;
+};
+SecondQuantity second_quantity(const Ranking& ranking, const LoadUnit& load);
+
 }  // namespace icebow

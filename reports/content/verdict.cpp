@@ -165,6 +165,26 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
          " on a finer lattice (solver.layers): the level of its load, and the order, may change.";
 }
 
+// Which designs no other one surpasses in both objectives.
+void add_front_remark(const Ranking& ranking, std::vector<std::string>& remarks) {
+  const std::vector<std::string> front = names_at(ranking, FrontPlace::front),
+                                 open = names_at(ranking, FrontPlace::open);
+  if (!ranking.objective.given() || front.empty()) return;
+  constexpr std::size_t most = 8;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(most, front.size()); ++k) names += (k > 0 ? ", " : "") + front[k];
+  if (front.size() > most) names += " and " + std::to_string(front.size() - most) + " more";
+  remarks.push_back(
+      "Two objectives, " + ranked_quantity(ranking.rank_by) + " and the " +
+      (ranking.objective.largest ? "largest " : "smallest ") +
+      second_quantity(ranking, load_unit(ranking)).words + ": no design surpasses " + names +
+      " in both (Pareto front)." +
+      (open.empty()
+           ? ""
+           : " Whether " + std::to_string(open.size()) +
+                 " more belong to the front is not known: the intervals of their differences are too wide."));
+}
+
 void add_lindqvist_remark(const Ranking& ranking, std::vector<std::string>& remarks) {
   if (!std::isfinite(ranking.spearman) || ranking.spearman_n < 4) return;
   const double rho = ranking.spearman;
@@ -250,6 +270,7 @@ Verdict verdict(const StudyResults& study) {
   const Conditions found = conditions(study);
   if (!found.unlike_ships.empty()) result.remarks.push_back(found.unlike_ships);
   for (const std::string& words : study.ranking.disagreements) result.remarks.push_back(sentence(words));
+  add_front_remark(study.ranking, result.remarks);
   if (study.ranking.rank_by != "lindqvist_breaking") add_lindqvist_remark(study.ranking, result.remarks);
   add_cautions(study, ranked, result.remarks);
   for (const std::string& warning : study.ranking.warnings)

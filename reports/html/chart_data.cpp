@@ -7,6 +7,7 @@
 
 #include "base/json_fields.h"
 #include "reports/content/comparison.h"
+#include "reports/html/front_view.h"
 #include "reports/tables/table_report.h"
 #include "study/evaluate/result_keys.h"
 #include "study/spec/document_keys.h"
@@ -97,6 +98,9 @@ Json design_json(const ReportContent& content, std::size_t i) {
           {"tied_with_best", tied},
           {"value", number(row.value)},
           {"value_ci95", number(value_ci95(row, by))},
+          {"second", number(row.second)},
+          {"second_ci95", number(row.second_ci95)},
+          {"front", to_string(row.front)},
           {"value_error", number(estimate.standard_error)},
           {"value_freedom", number(estimate.degrees_of_freedom)},
           {"mean_N", number(row.mean_load)},
@@ -158,6 +162,7 @@ Json chart_data(const ReportContent& content, const ResponseFit& fit) {
       {"spearman_n", ranking.spearman_n},
       {"bounds", bounds_json(content.study)},
       {"designs", designs},
+      {"second", second_json(content)},
       {"fit", fit_json(fit)},
       {"csv", ranking_csv(content.study)}};
 }

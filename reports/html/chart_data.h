@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/content/report_content.h"
-#include "reports/content/response_fit.h"
+#include "study/effects/response_fit.h"
 
 namespace icebow {
 
@@ -10,10 +10,11 @@ namespace icebow {
 // "newtons", "decimals"}, "rank_by", "quantity", "compared", "spearman", "spearman_n", "bounds": {pointer:
 // [min, max]}, "designs":
 // [{"id", "name", "status", "order", "rank", "tied_with_best", "value", "value_ci95", "value_error",
-// "value_freedom" (of Welch's test), "mean_N", "ci95_N", "max_N", "q95_N", "lindqvist_N", "lambda",
-// "angles_deg", "parameters", "smallest_margin", "steady_m", "outline_m", "histories": [{"advance_m",
-// "load_N", "samples"}]}], "fit": {"names", "effects": [{"pointer", "lower", "upper", "change", "ci95", "at",
-// "value", "half_width", "moved"}]}, "csv"}
+// "value_freedom" (of Welch's test), "mean_N", "ci95_N", "max_N", "q95_N", "lindqvist_N", "lambda", "second",
+// "second_ci95", "front" (empty: no place), "angles_deg", "parameters", "smallest_margin", "steady_m",
+// "outline_m", "histories": [{"advance_m", "load_N", "samples"}]}], "fit": {"names", "effects": [{"pointer",
+// "lower", "upper", "change", "ci95", "at", "value", "half_width", "moved"}]}, "second": {"words", "unit",
+// "size", "best"} (null: one objective), "csv"}
 Json chart_data(const ReportContent& content, const ResponseFit& fit);
 
 }  // namespace icebow

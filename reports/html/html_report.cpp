@@ -5,18 +5,21 @@
 #include "base/json.h"
 #include "base/json_fields.h"
 #include "reports/content/inline_svg.h"
-#include "reports/content/response_fit.h"
 #include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
 #include "reports/html/content_security.h"
+#include "reports/html/front_view.h"
 #include "reports/html/overview_view.h"
 #include "reports/html/packed_text.h"
 #include "reports/html/page_template.h"
 #include "reports/html/ranking_view.h"
 #include "reports/html/report_assets.h"
+#include "reports/html/shown_designs.h"
 #include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
+#include "study/effects/response_fit.h"
 #include "study/spec/document_keys.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -64,6 +67,19 @@ bool is_optimised(const StudyResults& study) {
   return text_at(study.document, document_key::method_type) == "optimise";
 }
 
+std::string share_in_words(const Share& share) {
+  return fixed(share.value, 2) + " (" + fixed(share.low, 2) + " to " + fixed(share.high, 2) + ")";
+}
+
+Json shares_view(const ResponseFit& fit) {
+  Json rows = Json::array();
+  for (const Effect& e : fit.effects)
+    rows.push_back({{"parameter", e.pointer},
+                    {"first", share_in_words(e.sobol.first)},
+                    {"total", share_in_words(e.sobol.total)}});
+  return fit.has_sobol ? rows : Json::array();
+}
+
 Json charts(const ReportContent& content, const ResponseFit& fit) {
   const StudyResults& study = content.study;
   bool parameters = false, model = false;
@@ -94,25 +110,33 @@ Json charts(const ReportContent& content, const ResponseFit& fit) {
                "on the right."
              : "Ice resistance against the distance sailed since first touch, full scale."},
       {"has_fit", fit.told()},
-      {"fit_words",
-       fit.quadratic ? "a polynomial of second degree fitted to " + std::to_string(fit.designs) + " designs."
-                     : "a linear fit to " + std::to_string(fit.designs) + " designs."},
-      {"fit_error", "A design left out of the fit is missed by " + fixed(100.0 * fit.left_out_error, 1) +
-                        percent + " of the mean load (root mean square); the designs themselves scatter by " +
-                        fixed(100.0 * fit.spread, 1) + percent + "."}};
+      {"no_fit", parameters && study.ranked() > 2 && !fit.told() ? fit.why : ""},
+      {"fit_words", "a polynomial " + terms_in_words(fit.terms) + ", fitted to " +
+                        std::to_string(fit.designs) + " designs."},
+      {"has_sobol", fit.has_sobol},
+      {"no_sobol", fit.told() && !fit.has_sobol ? fixed(100.0 * fit.explained, 0) + percent : ""},
+      {"shares", shares_view(fit)},
+      {"fit_error",
+       "A design left out of the fit is missed by " + fixed(100.0 * fit.left_out_error, 1) + percent +
+           " of the mean load (root mean square); the designs themselves scatter by " +
+           fixed(100.0 * fit.spread, 1) + percent +
+           (fit.noise > 0.0 ? ", and their records err by " + fixed(100.0 * fit.noise, 1) + percent : "") +
+           "."}};
 }
 
-Json page_view(const ReportContent& content) {
+Json page_view(ReportContent& content) {
   const StudyResults& study = content.study;
   const int ranked = study.ranked();
-  const ResponseFit fit = fit_response(study);
+  ResponseFit fit = fit_response(study.ranking, held_pointer(study.document));
+  const auto all_unranked = study.ranking.rows.size() - static_cast<std::size_t>(ranked);
+  const std::string left_out = leave_what_fits(content, fit);
   const Cards cards = cards_of(content);
   const Json unranked = unranked_view(content);
-  const auto all_unranked = study.ranking.rows.size() - static_cast<std::size_t>(ranked);
   Json page = {
       {"version", study.version},
       {"ranked", ranked > 0},
       {"can_compare", ranked > 1},
+      {"left_out", left_out},
       {"has_unranked", !unranked.empty()},
       {"unranked", unranked},
       {"unranked_left_out", all_unranked > unranked.size()
@@ -132,6 +156,7 @@ Json page_view(const ReportContent& content) {
       {"script", report_script()}};
   page.update(first_screen(content));
   page.update(charts(content, fit));
+  page.update(front_view(content));
   page.update(ranking_view(content));
   return page;
 }
@@ -139,7 +164,7 @@ Json page_view(const ReportContent& content) {
 }  // namespace
 
 void write_html_report(const std::string& study_directory, const std::string& html_path) {
-  const ReportContent content = read_report_content(study_directory);
+  ReportContent content = read_report_content(study_directory);
   write_text_file(html_path, rendered("page", page_view(content)));
 }
 

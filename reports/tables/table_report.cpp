@@ -23,6 +23,11 @@ std::set<std::string> parameter_names(const Ranking& ranking) {
   std::set<std::string> names;
   for (const RankedDesign& row : ranking.rows)
     for (const auto& [name, value] : row.evaluation.parameters) names.insert(name);
+  for (const RankedDesign& row : ranking.rows) {
+    const Json& choices = part_at(row.evaluation.result, result_key::choices);
+    if (!choices.is_object()) continue;
+    for (const auto& [name, word] : choices.items()) names.insert(name);
+  }
   return names;
 }
 
@@ -50,7 +55,9 @@ std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::
   line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
   for (const std::string& name : parameters) {
     const auto it = e.parameters.find(name);
-    line += ',' + (it == e.parameters.end() ? std::string() : csv_number(it->second));
+    const Json& choices = part_at(e.result, result_key::choices);
+    const std::string word = choices.is_object() ? choices.value(name, "") : "";
+    line += ',' + (it == e.parameters.end() ? csv_field(word) : csv_number(it->second));
   }
   return line + '\n';
 }

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/json_fields.h"
 #include "base/printable.h"
 #include "base/units.h"
 #include "cli/commands.h"
@@ -16,6 +17,7 @@
 #include "study/plan/nearest_feasible.h"
 #include "study/plan/variable_ranges.h"
 #include "study/spec/case_hull.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_method.h"
 
@@ -28,6 +30,7 @@ std::string range_of(const Variable& v) {
   if (v.values.empty())
     return brief(v.lower) + " to " + brief(v.upper) +
            (v.levels > 0 ? " in " + std::to_string(v.levels) + " levels" : "");
+  if (!v.words.empty()) return listed(v.words);
   std::vector<std::string> words;
   for (const double value : v.values) words.push_back(brief(value));
   return listed(words);
@@ -41,8 +44,14 @@ std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
             std::to_string(spec.method.max_evaluations) + " points" +
             (plan.proposals < spec.method.max_evaluations ? ", the baseline among them" : "");
   }
-  text += ", ranked by " + spec.rank_by + "\n";
+  text += ", ranked by " + spec.rank_by;
+  if (spec.second.given())
+    text += ", against " + std::string(spec.second.largest ? "largest " : "smallest ") + spec.second.by;
+  text += "\n";
   for (const Variable& v : spec.method.variables) text += "  " + v.pointer + ": " + range_of(v) + "\n";
+  const Json& derived = part_at(spec.document, document_key::derived);
+  for (const auto& [pointer, expression] : derived.items())  // none of null
+    text += "  " + pointer + " = " + printable(expression.get<std::string>()) + "\n";
   return text;
 }
 

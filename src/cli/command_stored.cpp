@@ -1,4 +1,4 @@
-// `icebow status`, `watch`, `show`, `export` and `diff`: a study directory read again.
+// `icebow status`, `watch`, `show`, `export`, `diff` and `effects`: a study directory read again.
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,13 +14,17 @@
 #include "cli/commands.h"
 #include "cli/number_option.h"
 #include "cli/text_table.h"
+#include "study/effects/effects_json.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
 #include "study/look/design_card.h"
+#include "study/look/stored_design.h"
 #include "study/look/study_diff.h"
 #include "study/look/study_status.h"
 #include "study/look/study_table.h"
+#include "study/spec/document_keys.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -38,6 +42,14 @@ std::string newtons(const Json& value) {
   return value.is_number() ? decimals(value.get<double>() / 1e3, 1) + " kN" : "-";
 }
 
+std::string list_text(const Json& names) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, names.size()); ++k)
+    text += (k ? ", " : "") + names[k].get<std::string>();
+  return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "");
+}
+
 std::string status_text(const Json& s) {
   const auto count = [&](const char* key) { return std::to_string(s.at(key).get<int>()); };
   const auto words = [&](const char* key) { return text_at(s, std::string("/") + key); };
@@ -50,6 +62,7 @@ std::string status_text(const Json& s) {
   if (s.at("best").is_string())
     text +=
         "best so far by " + words("rank_by") + ": " + words("best") + ", " + newtons(s.at("value")) + "\n";
+  if (s.contains("front")) text += "Pareto front so far: " + list_text(s.at("front")) + "\n";
   return text + "started " + words("started") + " on " + words("host") + " by icebow " + words("version") +
          "\n  " + words("command") + "\n";
 }
@@ -75,6 +88,12 @@ std::string results_text(const Json& result) {
   return rows.empty() ? "" : "\n" + text_table(rows);
 }
 
+std::string place_in_words(const std::string& front) {
+  if (front == "front") return "on the Pareto front";
+  if (front == "open") return "not on the Pareto front, but not surely off it";
+  return front == "dominated" ? "surely off the Pareto front" : "without a place at the Pareto front";
+}
+
 std::string card_text(const Json& card) {
   std::string text = words(card, "design") + ": " + words(card, "status");
   if (!words(card, "reason").empty()) text += ": " + words(card, "reason");
@@ -83,6 +102,9 @@ std::string card_text(const Json& card) {
             std::to_string(card.at("designs").get<int>()) + " by " + words(card, "rank_by") + ", " +
             newtons(card.at("value"));
   text += "\n";
+  if (card.contains("front"))
+    text += "second objective " + text_at(card, "/second/by") + ": " +
+            brief(number_at(card, "/second/value")) + ", " + place_in_words(words(card, "front")) + "\n";
   for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
   for (const auto& [pointer, value] : card.at("parameters").items())
     text += "  " + pointer + " " + (value.is_number() ? brief(value.get<double>()) : "-") + "\n";
@@ -107,12 +129,7 @@ std::string value_text(const Json& value) {
 }
 
 std::string names_text(const std::string& label, const Json& names) {
-  constexpr std::size_t most = 20;
-  if (names.empty()) return "";
-  std::string text = label + ":";
-  for (std::size_t k = 0; k < std::min(most, names.size()); ++k)
-    text += (k ? ", " : " ") + names[k].get<std::string>();
-  return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "") + "\n";
+  return names.empty() ? "" : label + ": " + list_text(names) + "\n";
 }
 
 std::string diff_text(const Json& diff, const Arguments& arguments) {
@@ -171,6 +188,40 @@ class Window {
   std::string shown_;
 };
 
+std::string share_text(const Share& share) {
+  return decimals(share.value, 2) + " (" + decimals(share.low, 2) + " to " + decimals(share.high, 2) + ")";
+}
+
+std::string effects_text(const ResponseFit& fit, const std::string& rank_by) {
+  std::string text = "response of " + rank_by + ": " + fit_in_words(fit) + "\n";
+  if (!fit.told()) return text;
+  std::vector<std::vector<std::string>> rows = {{"parameter", "from", "to", "change, kN", "told from none"}};
+  if (fit.has_sobol) rows[0].insert(rows[0].end(), {"Sobol', by itself", "Sobol', in all"});
+  for (const Effect& e : fit.effects) {
+    rows.push_back({e.pointer, brief(e.lower), brief(e.upper),
+                    decimals(e.change / 1e3, 1) + " \u00b1 " + decimals(e.ci95 / 1e3, 1),
+                    e.told() ? "yes" : "no"});
+    if (fit.has_sobol)
+      rows.back().insert(rows.back().end(), {share_text(e.sobol.first), share_text(e.sobol.total)});
+  }
+  return text + "\nchange over the whole range, the other parameters in the middle, \u00b1 95 % interval" +
+         (fit.has_sobol ? "; Sobol' indices: share of the fitted variance over the box, with 95 % interval"
+                        : "") +
+         "\n\n" + text_table(rows);
+}
+
+std::string elementary_text(const std::vector<ElementaryEffects>& effects) {
+  if (effects.empty()) return "";
+  std::vector<std::vector<std::string>> rows = {
+      {"parameter", "steps", "mean size, kN", "mean, kN", "deviation, kN"}};
+  for (const ElementaryEffects& e : effects)
+    rows.push_back({e.pointer, std::to_string(e.steps),
+                    decimals(e.mean_size / 1e3, 1) + " \u00b1 " + decimals(e.mean_size_ci95 / 1e3, 1),
+                    decimals(e.mean / 1e3, 1), decimals(e.deviation / 1e3, 1)});
+  return "\nelementary effects (Morris): steps of one parameter, as changes over its whole range\n\n" +
+         text_table(rows);
+}
+
 }  // namespace
 
 int run_status(const Communicator&, const Arguments& arguments) {
@@ -212,6 +263,22 @@ int run_diff(const Communicator&, const Arguments& arguments) {
   const Json diff = study_diff(arguments.positional, arguments.second);
   if (arguments.has("--json")) return print_json(diff);
   std::cout << diff_text(diff, arguments);
+  return exit_code::ok;
+}
+
+int run_effects(const Communicator&, const Arguments& arguments) {
+  const Store store = open_store_of(arguments.positional);
+  const Ranking ranking = stored_ranking(store);
+  const ResponseFit fit = fit_response(ranking, held_pointer(document_of(store)));
+  const bool is_morris = text_at(document_of(store), document_key::method_type) == "morris";
+  const std::vector<ElementaryEffects> steps =
+      is_morris ? elementary_effects(ranking) : std::vector<ElementaryEffects>();
+  if (arguments.has("--json")) {
+    Json json = effects_json(fit, ranking.rank_by);
+    if (is_morris) json["elementary"] = elementary_json(steps);
+    return print_json(json);
+  }
+  std::cout << effects_text(fit, ranking.rank_by) << elementary_text(steps);
   return exit_code::ok;
 }
 

@@ -26,6 +26,7 @@ int run_status(const Communicator& comm, const Arguments& arguments);
 int run_watch(const Communicator& comm, const Arguments& arguments);
 int run_show(const Communicator& comm, const Arguments& arguments);
 int run_export(const Communicator& comm, const Arguments& arguments);
+int run_effects(const Communicator& comm, const Arguments& arguments);
 int run_diff(const Communicator& comm, const Arguments& arguments);
 // Collective.
 int run_simulate(const Communicator& comm, const Arguments& arguments);

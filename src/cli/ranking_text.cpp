@@ -49,10 +49,14 @@ std::string confirmation_text(const Ranking& ranking) {
 
 // Variables that differ between the ranked designs, by pointer.
 std::vector<std::string> varied(const Ranking& ranking) {
-  std::map<std::string, std::set<double>> values;
-  for (const RankedDesign& row : ranking.rows)
-    for (const auto& [pointer, value] : row.evaluation.parameters)
-      if (row.rank > 0) values[pointer].insert(value);
+  std::map<std::string, std::set<Json>> values;
+  for (const RankedDesign& row : ranking.rows) {
+    if (row.rank == 0) continue;
+    for (const auto& [pointer, value] : row.evaluation.parameters) values[pointer].insert(value);
+    const Json& choices = part_at(row.evaluation.result, result_key::choices);
+    if (!choices.is_object()) continue;
+    for (const auto& [pointer, word] : choices.items()) values[pointer].insert(word);
+  }
   std::vector<std::string> pointers;
   for (const auto& [pointer, different] : values)
     if (different.size() > 1) pointers.push_back(pointer);
@@ -61,9 +65,13 @@ std::vector<std::string> varied(const Ranking& ranking) {
 
 std::vector<std::string> parameter_cells(const Evaluation& e, const std::vector<std::string>& pointers) {
   std::vector<std::string> cells;
+  const Json& choices = part_at(e.result, result_key::choices);
   for (const std::string& pointer : pointers) {
     const auto found = e.parameters.find(pointer);
-    cells.push_back(found == e.parameters.end() ? "" : brief(found->second));
+    if (found != e.parameters.end())
+      cells.push_back(brief(found->second));
+    else
+      cells.push_back(choices.is_object() ? choices.value(pointer, "") : "");
   }
   return cells;
 }
@@ -86,6 +94,20 @@ std::string tie(const RankedDesign& row, const RaceRecord& race) {
   if (!place.empty()) return place;
   if (row.tied_with_best && row.rank > 1) return "with the best";
   return row.tied_with_next ? "with the next" : "";
+}
+
+std::string last_word(const std::string& pointer) {
+  return pointer.substr(pointer.rfind('/') + 1);
+}
+
+std::string second_cell(const RankedDesign& row) {
+  if (!std::isfinite(row.second)) return "-";
+  const std::string half = std::isfinite(row.second_ci95) ? brief(row.second_ci95) : "?";
+  return brief(row.second) + (row.second_ci95 == 0.0 ? "" : " \u00b1 " + half);
+}
+
+std::string front_cell(const RankedDesign& row) {
+  return row.front == FrontPlace::front ? "front" : row.front == FrontPlace::open ? "perhaps" : "";
 }
 
 // What the formula says of its own range, once for each sentence.
@@ -115,11 +137,12 @@ std::string ranking_text(const Ranking& ranking) {
                                                  ranking.race.given() ? "race" : "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
   const bool by_pointer = ranking.rank_by[0] == '/';
-  if (by_pointer)
-    rows[0].insert(rows[0].begin() + 2, ranking.rank_by.substr(ranking.rank_by.rfind('/') + 1) + ", kN");
+  if (by_pointer) rows[0].insert(rows[0].begin() + 2, last_word(ranking.rank_by) + ", kN");
+  const bool two = ranking.objective.given();
+  if (two) rows[0].insert(rows[0].begin() + 3, {last_word(ranking.objective.by), "front"});
   const std::vector<std::string> pointers = varied(ranking);
   std::vector<std::string> names;
-  for (const std::string& pointer : pointers) names.push_back(pointer.substr(pointer.rfind('/') + 1));
+  for (const std::string& pointer : pointers) names.push_back(last_word(pointer));
   rows[0].insert(rows[0].begin() + 1, names.begin(), names.end());
   std::string others;
   for (const RankedDesign& row : ranking.rows) {
@@ -135,6 +158,7 @@ std::string ranking_text(const Ranking& ranking) {
           rows.back().begin() + 3,
           {kilonewtons(row.cycle_load) + " \u00b1 " + kilonewtons(row.cycle_ci95), simulated(row)});
     if (by_pointer) rows.back().insert(rows.back().begin() + 2, kilonewtons(row.value));
+    if (two) rows.back().insert(rows.back().begin() + 3, {second_cell(row), front_cell(row)});
     const std::vector<std::string> cells = parameter_cells(e, pointers);
     rows.back().insert(rows.back().begin() + 1, cells.begin(), cells.end());
   }
@@ -142,6 +166,7 @@ std::string ranking_text(const Ranking& ranking) {
   std::string text = (race.empty() ? "" : race + "\n\n") + confirmation_text(ranking) + "ranked by " +
                      ranking.rank_by + ", full scale, \u00b1 95 % interval of the mean\n\n" +
                      text_table(without_empty_columns(rows));
+  if (two) text += "\n" + front_in_words(ranking) + "\n";
   const std::string process = process_table(ranking);
   if (!process.empty())
     text += "\nhow the ice broke: cracks by kind; lengths over the thickness h\n\n" + process;

@@ -32,13 +32,15 @@ PROGRAM = {"description": "a program that evaluates", "type": "object", "additio
                "command": {"type": "array", "minItems": 1, "items": {"type": "string"},
                            "prefixItems": [{"type": "string", "minLength": 1}]},
                "time_limit_s": {"type": "number", "exclusiveMinimum": 0, "maximum": 1e8}}}
+RESULT = "^/(hull/margins|hydrostatics|lindqvist|cycle|metrics|programs)/."
 RANKED_BY = ["mean_load", "mean_load_per_beam", "cycle_load", "lindqvist_breaking"]
 SHIPS = ["bow", "hull"]  # one of them; a design may swap them
 SECTIONS = ["bow", "hold", "hull", "ice", "water", "sheet", "operation", "solver", "cycle", "output", "confirm", "decide", "ranking", "execution"]
 LEARNING = ["initial", "batch", "least_gain", "prior"]  # keys of the algorithm expected_improvement alone
 METHOD_KEYS = {"list": [], "grid": ["variables"], "one_at_a_time": ["variables"],
-               "latin_hypercube": ["variables", "samples", "seed", "extends"],
-               "sobol": ["variables", "samples"], "halton": ["variables", "samples"],
+               "latin_hypercube": ["variables", "samples", "seed", "extends", "replace_infeasible"],
+               "sobol": ["variables", "samples", "replace_infeasible"],
+               "halton": ["variables", "samples", "replace_infeasible"], "morris": ["variables", "samples", "seed"],
                "central_composite": ["variables"], "box_behnken": ["variables"],
                "table": ["file", "columns", "rows"],
                "optimise": ["variables", "algorithm", "max_evaluations", "tolerance", "seed", *LEARNING]}
@@ -128,7 +130,7 @@ def variable_schema(key, spelling):
 
 
 def variables_schema(table):
-    numeric = [k for k in table["keys"] if k["type"] in ("number", "integer")
+    numeric = [k for k in table["keys"] if k["type"] in ("number", "integer", "choice")
                and (k["section"] in table["design_sections"] or k["name"] == "scale")]
     pointers = {(f"/{k['section']}" if k["section"] else "") + f"/{s['key']}": variable_schema(k, s)
                 for k in numeric for s in k["spellings"]}
@@ -143,7 +145,8 @@ def method_rule(kind, all_keys):
         ranged = {"required": ["min", "max"] + (["levels"] if levels else []),
                   "properties": {"values": False, **({} if levels else {"levels": False})}}
         listed = {"required": ["values"], "properties": {"min": False, "max": False, "levels": False}}
-        each = {"oneOf": [ranged, listed]} if levels else ranged
+        listable = levels or kind in ("latin_hypercube", "sobol", "halton")
+        each = {"oneOf": [ranged, listed]} if listable else ranged
         then["properties"]["variables"] = {"additionalProperties": each}
         then["required"] = ["variables"]
     test = {"properties": {"type": {"const": kind}}}  # holds without a type as well: the default is a list
@@ -177,14 +180,22 @@ def make_schema(table):
     top["evaluators"] = {"description": "default lindqvist and peridynamics", "type": "array", "minItems": 1, "uniqueItems": True,
                          "items": {"anyOf": [{"enum": ["lindqvist", "cycle", "peridynamics"]}, PROGRAM]}}
     by = top["ranking"]["properties"]["by"]
-    by["anyOf"] = [{"enum": RANKED_BY}, {"pattern": "^/.+_N$"}]
+    first = {"type": by.pop("type"), "anyOf": [{"enum": RANKED_BY}, {"pattern": "^/.+_N$"}]}
+    number = {"type": "string", "anyOf": [{"enum": RANKED_BY}, {"pattern": RESULT}]}
+    weighed = {"type": "object", "additionalProperties": False, "required": ["by"], "properties": {
+        "by": number, "best": {"description": "default smallest", "enum": ["smallest", "largest"]}}}
+    by["anyOf"] = [first, {"type": "array", "minItems": 2, "maxItems": 2,
+                           "prefixItems": [first, {"anyOf": [number, weighed]}]}]
     top["designs"] = designs_schema(table)
     top["method"] = method_schema(table)
+    derived = [p for p, v in top["method"]["properties"]["variables"]["properties"].items() if "enum" not in json.dumps(v)]
+    top["derived"] = {"description": "expressions that replace numbers of this file", "type": "object",
+                      "additionalProperties": False,
+                      "properties": {p: {"type": "string", "maxLength": 1000} for p in derived if p != "/scale"}}
     top["constraints"] = {"description": "what numbers of each result must keep to", "type": "array", "minItems": 1,
                           "items": {"type": "object", "additionalProperties": False, "required": ["at"],
                                     "anyOf": [{"required": ["min"]}, {"required": ["max"]}], "properties": {
-                                        "at": {"description": "pointer into the result", "type": "string", "pattern":
-                                               "^/(hull/margins|hydrostatics|lindqvist|cycle|metrics|programs)/."},
+                                        "at": {"description": "pointer into the result", "type": "string", "pattern": RESULT},
                                         "min": {"type": "number"}, "max": {"type": "number"}}}}
     conditions = {s: patch_schema(keys, s) for s in ("ice", "water", "operation")}
     top["scenarios"] = {"description": "conditions that each design is judged over", "type": "array", "minItems": 1,
@@ -224,7 +235,7 @@ def key_table(table):
             if k["name"] == "algorithm":
                 allowed = "see Methods"
             if (section, k["name"]) == ("ranking", "by"):
-                allowed = ", ".join(f"`{c}`" for c in RANKED_BY) + ", or a pointer"
+                allowed = ", ".join(f"`{c}`" for c in RANKED_BY) + ", or a pointer; or a list of two"
             others = ", ".join(f"`{s['key'][len(k['name']):]}`" for s in k["spellings"][1:])
             lines.append(f"| `{first['key']}`{' (' + others + ')' if others else ''} | {allowed} | "
                          f"{'**required**' if k['required'] else k['default']} | {k['meaning']} |")

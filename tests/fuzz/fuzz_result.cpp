@@ -1,12 +1,12 @@
 // A stored result, whose JSON anybody may have written: it is ranked and its report drawn.
 #include "base/errors.h"
-#include "reports/content/response_fit.h"
 #include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
 #include "reports/html/overview_view.h"
 #include "reports/html/page_template.h"
 #include "reports/html/ranking_view.h"
 #include "reports/tables/table_report.h"
+#include "study/effects/response_fit.h"
 #include "study/plan/ranking.h"
 
 using namespace icebow;
@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       card["open"] = true, card["body"] = rendered("card_body", card_body_view(content, i));
       rendered("card", card);
     }
-    json_text(chart_data(content, fit_response(content.study)));
+    json_text(chart_data(content, fit_response(content.study.ranking)));
   }
   return 0;
 }

@@ -22,7 +22,7 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
          "--virtual-time-budget=10000", "--window-size=1300,2000", "--dump-dom"]
 FULL = {"chart-loads", "chart-scatter", "chart-parallel", "chart-angles", "chart-effects", "chart-response", "chart-history",
         "chart-compare"}
-CHARTS = {"": FULL, "unfinished": FULL,
+CHARTS = {"": FULL, "pareto": FULL | {"chart-front"}, "unfinished": FULL,
           "many": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"},
           "cycle": FULL - {"chart-effects", "chart-response"},
           "formula": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"}}

@@ -63,6 +63,20 @@ TEST_CASE("the page names every design and gives the reasons of those that are n
   CHECK(count(html, "<details class=\"card\"") == 10);
 }
 
+TEST_CASE("two objectives: the front stands in the page as a list and as the chart's data") {
+  SampleStudy options;
+  options.pareto = true;
+  const std::string html = sample_html(options);
+  CHECK(holds(html, "id=\"chart-front\""));
+  CHECK(holds(html, "no design surpasses Thyssen-Waas, "));
+  const Json data = data_of(html);
+  CHECK(data.at("second").at("unit") == "t");
+  CHECK(design_of(data, "Thyssen-Waas").at("front") == "front");  // the lowest load
+  CHECK(design_of(data, "blunt").at("front") == "dominated");     // the highest, by far
+  CHECK(design_of(data, "steep stem").at("front") == "front");    // the largest displacement
+  CHECK_FALSE(holds(sample_html(), "chart-front"));
+}
+
 TEST_CASE("the page needs nothing from outside") {
   const std::string html = sample_html();
   CHECK_FALSE(std::regex_search(html, std::regex("(src|href)=\"(https?:)?//")));

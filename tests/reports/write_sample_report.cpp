@@ -1,5 +1,5 @@
-// write_sample_report DIRECTORY [unfinished|formula|large]: a made-up study and its reports, for a look in
-// the browser.
+// write_sample_report DIRECTORY [unfinished|formula|pareto|large]: a made-up study and its reports, for a
+// look in the browser.
 #include <filesystem>
 #include <iostream>
 
@@ -9,12 +9,13 @@
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::cerr << "usage: write_sample_report DIRECTORY [unfinished|formula|large]\n";
+    std::cerr << "usage: write_sample_report DIRECTORY [unfinished|formula|pareto|large]\n";
     return 2;
   }
   const std::string directory = argv[1], kind = argc > 2 ? argv[2] : "";
   icebow::SampleStudy options;
   options.finished = kind != "unfinished";
+  options.pareto = kind == "pareto";
   options.peridynamics = kind != "formula";
   if (kind == "large") options.picture_width = 560;
   if (kind == "large") options.history_rows = 4000;

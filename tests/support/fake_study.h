@@ -59,6 +59,7 @@ inline Evaluation fake_evaluate(const Communicator&, const Design& design, const
       design.name == "not a number" ? std::numeric_limits<double>::quiet_NaN() : fake_load(stem, waterline);
   e.result = {{"metrics", {{"full_scale", {{"mean_load_N", nullptr}, {"mean_load_ci95_N", 1000.0}}}}},
               {"ship", {{"B_m", c.bow.B}}},
+              {"hull", {{"margins", {{"g1", largest_fake_stem - stem}}}}},
               {"lindqvist", {{"breaking_N", 2.0 * load}}}};
   if (std::isfinite(load)) e.result["metrics"]["full_scale"]["mean_load_N"] = load;
   return e;

@@ -214,6 +214,7 @@ void add_result(Evaluation& e, const SampleBow& bow, const SampleStudy& options)
               {"reason", e.reason},
               {"hull", hull_part(bow, e.status != EvaluationStatus::infeasible)}};
   if (e.status == EvaluationStatus::infeasible) return;
+  if (options.pareto) e.result["hydrostatics"] = {{"displacement_kg", 1.6e7 + 8e4 * bow.stem}};
   if (options.lindqvist) e.result["lindqvist"] = lindqvist_part(bow);
   if (!options.peridynamics || e.status != EvaluationStatus::ok) return;
   e.result["metrics"] = metrics_part(bow);
@@ -241,6 +242,8 @@ void write_sample_study(const std::string& directory, const SampleStudy& options
   store.set_fact("version", "0.1.0");
   store.set_fact("host", "towing-tank");
   store.set_fact("rank_by", options.peridynamics ? "mean_load" : "lindqvist_breaking");
+  if (options.pareto)
+    store.set_fact("second_objective", R"({"by": "/hydrostatics/displacement_kg", "best": "largest"})");
   store.set_fact("state", options.finished ? "finished" : "running");
   store.set_fact("started", "2026-11-22T15:43:32Z");
   const StudyPlan plan = plan_study(read_study(document, "sample"));

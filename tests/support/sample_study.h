@@ -11,6 +11,7 @@ struct SampleStudy {
   int history_rows = 400;
   bool peridynamics = true;  // false: the formula alone
   bool lindqvist = true;
+  bool pareto = false;   // a second objective: displacement, the largest best
   bool finished = true;  // false: one design is running, the last ones have not started
   std::string odd_name = "odd <b>&\"'<script>";  // of one design: no study file may say so, a store might
 };

@@ -14,6 +14,8 @@ namespace icebow {
 
 bool asks_for_hydrostatics(const Json& document) {
   const Json& list = part_at(document, document_key::constraints);
+  for (const char* objective : {document_key::second_objective, document_key::second_objective_by})
+    if (result_key::is_hydrostatic(text_at(document, objective))) return true;
   return list.is_array() && std::any_of(list.begin(), list.end(), [](const Json& entry) {
            return result_key::is_hydrostatic(text_at(entry, document_key::constraint_at));
          });

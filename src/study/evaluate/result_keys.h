@@ -37,6 +37,18 @@ inline std::string cycle_part(const std::string& part) {
 inline bool is_of_program(const std::string& pointer) {
   return pointer.rfind("/programs/", 0) == 0;
 }
+// A number of a formula, of a hull or of a program: without a sampling error.
+inline bool is_exact(const std::string& pointer) {
+  for (const char* part : {"/programs/", "/lindqvist/", "/hydrostatics/", "/hull/"})
+    if (pointer.rfind(part, 0) == 0) return true;
+  return false;
+}
+inline bool is_of_cycle(const std::string& pointer) {
+  return pointer.rfind("/cycle/", 0) == 0;
+}
+inline bool is_margin(const std::string& pointer) {
+  return pointer.rfind("/hull/margins/", 0) == 0;
+}
 inline bool is_hydrostatic(const std::string& pointer) {
   return pointer.rfind("/hydrostatics/", 0) == 0;
 }
@@ -147,6 +159,7 @@ constexpr const char* simulation_seconds = "/simulation/wall_s";
 constexpr const char* sailed_to = "/sailed_to_m";        // of a voyage in a race only
 constexpr const char* sailing_ended = "/sailing_ended";  // why such a voyage cannot be sailed on, in words
 constexpr const char* scenarios = "/scenarios";
+constexpr const char* choices = "/choices";  // of variables that are words, by their pointers
 constexpr const char* pictures = "/files/pictures";
 constexpr const char* process = "/process";
 constexpr const char* sheet_thickness = "/process/thickness_m";

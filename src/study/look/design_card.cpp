@@ -64,6 +64,9 @@ void add_rank(Json& card, const Store& store, const std::string& name) {
     ranked += row.rank > 0 ? 1 : 0;
     if (row.evaluation.name != name || row.rank == 0) continue;
     card["rank"] = row.rank, card["value"] = finite_or_null(row.value);
+    if (!ranking.objective.given()) continue;
+    card["second"] = {{"by", ranking.objective.by}, {"value", finite_or_null(row.second)}};
+    card["front"] = to_string(row.front);
   }
   card["designs"] = ranked;
 }

@@ -10,6 +10,7 @@
 #include "study/plan/repeats.h"
 #include "study/run/race_loop.h"
 #include "study/spec/design_name.h"
+#include "study/spec/spec_ranking.h"
 
 namespace icebow {
 namespace {
@@ -67,7 +68,10 @@ Store open_store_of(const std::string& directory) {
 
 Ranking stored_ranking(const Store& store) {
   const std::string by = store.fact("rank_by");
-  Ranking ranking = rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by);
+  const std::string second = store.fact("second_objective");  // none in older stores
+  Ranking ranking =
+      rank_designs(store.all(), by.empty() ? StudySpec().rank_by : by,
+                   second_objective_from(second.empty() ? Json() : parse_json(second, "results.sqlite")));
   ranking.race = read_race(store);
   return ranking;
 }

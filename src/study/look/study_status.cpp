@@ -8,6 +8,7 @@
 #include "study/plan/ranking.h"
 #include "study/spec/design_name.h"
 #include "study/spec/read_study.h"
+#include "study/spec/spec_ranking.h"
 #include "study/store/store_lock.h"
 
 namespace icebow {
@@ -55,6 +56,11 @@ Json study_status(const std::string& directory) {
                  {"rank_by", ranking.rank_by},
                  {"best", best ? Json(best->evaluation.name) : Json(nullptr)},
                  {"value", best ? finite_or_null(best->value) : Json(nullptr)}};
+  if (ranking.objective.given()) {
+    status["second"] = to_json(ranking.objective);
+    for (const FrontPlace place : {FrontPlace::front, FrontPlace::open})
+      status[to_string(place)] = names_at(ranking, place);
+  }
   for (const char* fact : {"started", "host", "command", "version"}) status[fact] = store.fact(fact);
   count(status, evaluations);
   return status;

@@ -44,6 +44,7 @@ Line line_of(const Json& row) {
   for (const char* key : {"design", "status", "reason"})
     line.head += cell(row.at(key).get<std::string>()) + ",";
   line.head += std::to_string(row.at("rank").get<int>());
+  if (row.contains("front")) line.head += "," + row.at("front").get<std::string>();
   for (const auto& [pointer, value] : row.at("parameters").items())
     if (value.is_number()) line.parameters[pointer] = value.get<double>();
   for (const auto& [part, value] : row.at("result").items())
@@ -56,16 +57,20 @@ Line line_of(const Json& row) {
 Json study_table(const std::string& directory) {
   const Store store = open_store_of(directory);
   const std::vector<Evaluation> evaluations = store.all();
-  std::map<std::string, int> ranks;
-  for (const RankedDesign& row : stored_ranking(store).rows) ranks[row.evaluation.name] = row.rank;
+  const Ranking ranking = stored_ranking(store);
+  std::map<std::string, const RankedDesign*> ranks;
+  for (const RankedDesign& row : ranking.rows) ranks[row.evaluation.name] = &row;
   Json table = Json::array();
-  for (const Evaluation& e : evaluations)
+  for (const Evaluation& e : evaluations) {
+    const RankedDesign* row = ranks[e.name];
     table.push_back({{"design", e.name},
                      {"status", to_string(e.status)},
                      {"reason", e.reason},
-                     {"rank", ranks[e.name]},
+                     {"rank", row ? row->rank : 0},
                      {"parameters", parameters_json(e.parameters)},
                      {"result", e.result.is_object() ? e.result : Json::object()}});
+    if (ranking.objective.given()) table.back()["front"] = row ? to_string(row->front) : "";
+  }
   return table;
 }
 
@@ -78,6 +83,7 @@ std::string study_csv(const Json& table) {
     for (const auto& [column, value] : lines.back().results) results.insert(column);
   }
   std::string csv = "design,status,reason,rank";
+  if (!table.empty() && table[0].contains("front")) csv += ",front";
   for (const std::string& column : parameters) csv += "," + cell(column);
   for (const std::string& column : results) csv += "," + cell("result:" + column);
   csv += "\r\n";

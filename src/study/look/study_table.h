@@ -8,7 +8,8 @@
 namespace icebow {
 
 // A list of {"design", "status", "reason", "rank" (0: not ranked), "parameters", "result"}, in the order of
-// the study. Throws InputError where the directory holds no study.
+// the study; with two objectives "front" as well (study/plan/pareto.h; empty: no place). Throws InputError
+// where the directory holds no study.
 Json study_table(const std::string& directory);
 
 // The same as CSV (RFC 4180): a column for each parameter, by its pointer, and for each number of a result

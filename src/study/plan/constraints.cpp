@@ -1,6 +1,7 @@
 #include "study/plan/constraints.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/json_fields.h"
 #include "study/spec/spec_hints.h"
@@ -37,6 +38,28 @@ void apply_constraints(const std::vector<ResultConstraint>& constraints, Evaluat
     e.status = missing ? EvaluationStatus::failed : EvaluationStatus::infeasible;
     e.result[broken] = c.at;
   }
+}
+
+Evaluation without_constraints(Evaluation evaluation) {
+  restore(evaluation);
+  return evaluation;
+}
+
+std::vector<double> constraint_margins(const std::vector<ResultConstraint>& constraints, const Json& result) {
+  std::vector<double> margins;
+  for (const ResultConstraint& c : constraints) {
+    const double value = number_at(result, c.at);
+    for (const auto& [bound, direction] : {std::pair(c.lower, 1.0), std::pair(c.upper, -1.0)})
+      if (std::isfinite(bound))
+        margins.push_back(direction * (value - bound) / (bound != 0.0 ? std::fabs(bound) : 1.0));
+  }
+  return margins;
+}
+
+int number_of_bounds(const std::vector<ResultConstraint>& constraints) {
+  int number = 0;
+  for (const ResultConstraint& c : constraints) number += std::isfinite(c.lower) + std::isfinite(c.upper);
+  return number;
 }
 
 bool lacks_a_number(const Evaluation& e) {

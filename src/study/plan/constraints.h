@@ -14,6 +14,14 @@ namespace icebow {
 // finds that it was ok.
 void apply_constraints(const std::vector<ResultConstraint>& constraints, Evaluation& evaluation);
 
+// The evaluation as it was without its constraints.
+Evaluation without_constraints(Evaluation evaluation);
+
+// A margin for each bound, over the size of the bound: 0 or more where it is kept, NaN where the result lacks
+// the number.
+std::vector<double> constraint_margins(const std::vector<ResultConstraint>& constraints, const Json& result);
+int number_of_bounds(const std::vector<ResultConstraint>& constraints);
+
 // Whether the last call found a number missing.
 bool lacks_a_number(const Evaluation& evaluation);
 

@@ -13,11 +13,13 @@
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/evaluation_key.h"
 #include "study/plan/confirmation.h"
+#include "study/plan/feasible_points.h"
+#include "study/plan/model_notes.h"
 #include "study/plan/repeats.h"
 #include "study/plan/sampling.h"
 #include "study/plan/variable_ranges.h"
+#include "study/spec/case_hull.h"
 #include "study/spec/held_document.h"
-#include "study/spec/model_notes.h"
 #include "study/spec/spec_hold.h"
 
 namespace icebow {
@@ -115,6 +117,8 @@ std::vector<std::vector<double>> unit_points(const Method& method) {
       return sequence(Sequence::sobol, dimension, method.samples);
     case MethodType::halton:
       return sequence(Sequence::halton, dimension, method.samples);
+    case MethodType::morris:
+      return morris(dimension, method.samples, method.seed);
     case MethodType::central_composite:
       return central_composite(dimension);
     case MethodType::box_behnken:
@@ -124,23 +128,18 @@ std::vector<std::vector<double>> unit_points(const Method& method) {
   }
 }
 
-// From the unit cube to the ranges.
-std::vector<std::vector<double>> in_units(std::vector<std::vector<double>> points,
-                                          const std::vector<Variable>& variables) {
-  for (std::vector<double>& point : points) {
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      point[i] = variables[i].lower + point[i] * (variables[i].upper - variables[i].lower);
-    }
-  }
-  return points;
-}
-
-std::vector<std::vector<double>> method_points(const StudySpec& spec) {
+std::vector<std::vector<double>> method_points(const StudySpec& spec, std::vector<std::string>& notes) {
   const Method& method = spec.method;
   if (method.type == MethodType::grid) return grid(method);
   if (method.type == MethodType::table) return method.rows;
   if (method.type == MethodType::one_at_a_time) return one_at_a_time(spec);
-  return in_units(unit_points(method), method.variables);
+  auto points = in_units(unit_points(method), method.variables);
+  if (!method.replace_infeasible) return points;
+  std::string note;
+  replace_infeasible(
+      method, points, [&](const std::vector<double>& x) { return is_feasible_point(spec, x); }, note);
+  if (!note.empty()) notes.push_back(note);
+  return points;
 }
 
 class Plan {
@@ -194,7 +193,7 @@ StudyPlan plan_study(const StudySpec& spec) {
     plan.add(swept(spec, named.name, std::move(document)));
   }
   int n = 0;
-  for (const std::vector<double>& x : method_points(spec)) {
+  for (const std::vector<double>& x : method_points(spec, plan.plan.notes)) {
     plan.add(design_at(spec, numbered_name(++n), x));
   }
   if (spec.method.type == MethodType::optimise) {
@@ -208,9 +207,19 @@ StudyPlan plan_study(const StudySpec& spec) {
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x) {
   Json document = document_of_one(spec);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    document[Json::json_pointer(spec.method.variables[i].pointer)] = rounded(x[i]);
+    const Variable& v = spec.method.variables[i];
+    Json& value = document[Json::json_pointer(v.pointer)];
+    if (v.words.empty())
+      value = rounded(x[i]);
+    else
+      value = v.words[static_cast<std::size_t>(std::lround(x[i]))];
   }
   return swept(spec, name, std::move(document));
+}
+
+bool is_feasible_point(const StudySpec& spec, const std::vector<double>& x) {
+  const std::optional<Case> given = design_at(spec, "", x).design.given;
+  return given && check_feasibility(*given).feasible;
 }
 
 std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design) {
@@ -229,9 +238,23 @@ std::vector<PlannedDesign> confirmations(const StudySpec& spec, const Design& de
   return runs_of(spec, planned(spec, confirmation_name(design.name), std::move(document)));
 }
 
+void note_choices(const StudySpec& spec, const Design& design, Evaluation& evaluation) {
+  for (const Variable& v : spec.method.variables) {
+    if (v.words.empty()) continue;
+    if (!evaluation.result.is_object()) evaluation.result = Json::object();
+    evaluation.result["choices"][v.pointer] = text_at(design.document, v.pointer);
+  }
+}
+
 std::vector<double> start_point(const StudySpec& spec) {
   std::vector<double> start;
   for (const Variable& variable : spec.method.variables) {
+    const auto word =
+        std::find(variable.words.begin(), variable.words.end(), text_at(spec.document, variable.pointer));
+    if (word != variable.words.end()) {
+      start.push_back(static_cast<double>(word - variable.words.begin()));
+      continue;
+    }
     const double value = number_at(spec.document, variable.pointer);
     start.push_back(std::isfinite(value) ? value : 0.5 * (variable.lower + variable.upper));
   }

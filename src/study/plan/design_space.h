@@ -35,11 +35,17 @@ Design baseline_of(const StudySpec& spec);
 // The study's document with its variables at `x` (the file's units), in the order of spec.method.variables.
 PlannedDesign design_at(const StudySpec& spec, const std::string& name, const std::vector<double>& x);
 
+// Whether the margins let the design at `x` be built; no mesh is made.
+bool is_feasible_point(const StudySpec& spec, const std::vector<double>& x);
+
 // The runs of a design: itself, and its repeats by the study (study/plan/repeats.h).
 std::vector<PlannedDesign> runs_of(const StudySpec& spec, const PlannedDesign& design);
 
 // The simulations that confirm a design of the cycle: "NAME@solver", and its repeats by the study.
 std::vector<PlannedDesign> confirmations(const StudySpec& spec, const Design& design);
+
+// Notes in the result which words the design has of the study's variables that are choices: {pointer: word}.
+void note_choices(const StudySpec& spec, const Design& design, Evaluation& evaluation);
 
 // Where an optimiser starts: the file's own values, the middle of the range where the file leaves a variable
 // out.

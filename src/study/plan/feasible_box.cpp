@@ -6,8 +6,8 @@
 #include <optional>
 #include <random>
 
-#include "hullgen/bow/feasibility.h"
 #include "study/plan/design_space.h"
+#include "study/spec/case_hull.h"
 #include "study/spec/spec_hold.h"
 
 namespace icebow {
@@ -25,7 +25,7 @@ struct Point {
 Point tried_at(const StudySpec& spec, std::vector<double> x, const std::string& held) {
   const Design design = design_at(spec, "", x).design;
   const auto value = design.parameters.find(held);
-  const bool feasible = design.given && check_feasibility(design.given->bow).feasible;
+  const bool feasible = design.given && check_feasibility(*design.given).feasible;
   return {std::move(x), feasible, value == design.parameters.end() ? 0.0 : value->second};
 }
 

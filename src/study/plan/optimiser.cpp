@@ -47,6 +47,9 @@ const Algorithm& find_algorithm(const std::string& name, std::size_t variables) 
 
 constexpr int halvings = 24;      // of the way back from an infeasible point: to 1e-7 of it
 constexpr double way_back = 0.1;  // slope that leads back, over the range of the variables
+constexpr double reserve =
+    1e-4;  // limits are aimed at from inside, so that the search does not end just beyond
+constexpr double limit_weight = 20.0;  // of what is missing, for algorithms that take no constraints
 
 class Search {
  public:
@@ -70,6 +73,8 @@ class Search {
   double f(const std::vector<double>& u);
   void violations(unsigned m, double* negated, const std::vector<double>& u);
   double violation(const std::vector<double>& x) const;
+  std::vector<double> limits_at(const std::vector<double>& x) const;
+  double beyond_limits(const std::vector<double>& x, double kept_by) const;
   double seen(double value, const std::vector<double>& x);
   void set_up();
   std::vector<double> start() const;
@@ -125,15 +130,31 @@ double Search::violation(const std::vector<double>& x) const {
   return sum;
 }
 
+std::vector<double> Search::limits_at(const std::vector<double>& x) const {
+  std::vector<double> margins = problem_.limits > 0 ? problem_.limit_margins(x) : std::vector<double>();
+  margins.resize(static_cast<std::size_t>(problem_.limits), -1.0);
+  for (double& margin : margins)
+    if (!std::isfinite(margin)) margin = -1.0;
+  return margins;
+}
+
+// Sum of what the limits lack to being kept by so much.
+double Search::beyond_limits(const std::vector<double>& x, double kept_by) const {
+  double sum = 0.0;
+  for (const double margin : limits_at(x)) sum += std::max(0.0, kept_by - margin);
+  return sum;
+}
+
 // What NLopt is told of a value: always finite, for a NaN hangs or crashes some of its algorithms.
 double Search::seen(double value, const std::vector<double>& x) {
   const double missing = violation(x);
   if (!std::isfinite(value)) return worst_ + 0.1 * std::max(1.0, std::fabs(worst_)) + missing;
   const bool better = result_.best.empty() || value < result_.value;
-  if (missing == 0.0 && better) result_.best = x, result_.value = value;
+  if (better && missing == 0.0 && beyond_limits(x, 0.0) == 0.0) result_.best = x, result_.value = value;
   const bool first = unit_ == 0.0;
   if (first) unit_ = std::max(std::fabs(value), std::numeric_limits<double>::min());
-  const double scaled = std::clamp(value / unit_, -1e100, 1e100);
+  double scaled = std::clamp(value / unit_, -1e100, 1e100);
+  if (!algorithm_.takes_constraints) scaled += limit_weight * beyond_limits(x, reserve);
   worst_ = first ? scaled : std::max(worst_, scaled);
   return scaled;
 }
@@ -184,7 +205,8 @@ void Search::violations(unsigned m, double* negated, const std::vector<double>& 
   std::fill(negated, negated + m, 0.0);
   if (ended_) return;
   try {
-    const std::vector<double> g = problem_.margins(in_units(u));
+    std::vector<double> g = problem_.margins ? problem_.margins(in_units(u)) : std::vector<double>();
+    for (const double margin : limits_at(in_units(brought_in(u)))) g.push_back(margin - reserve);
     for (unsigned i = 0; i < m; ++i) negated[i] = i < g.size() && std::isfinite(g[i]) ? -g[i] : 1.0;
   } catch (...) {
     exception_ = std::current_exception();
@@ -197,8 +219,9 @@ void Search::set_up() {
   nlopt_.set_upper_bounds(1.0);
   nlopt_.set_min_objective(objective, this);
   if (options_.tolerance > 0.0) nlopt_.set_xtol_abs(options_.tolerance);
-  if (algorithm_.takes_constraints && problem_.margins) {
-    const std::size_t m = problem_.margins(in_units(start())).size();
+  if (algorithm_.takes_constraints) {
+    const std::size_t m = (problem_.margins ? problem_.margins(in_units(start())).size() : 0) +
+                          static_cast<std::size_t>(problem_.limits);
     if (m > 0) nlopt_.add_inequality_mconstraint(constraints, this, std::vector<double>(m, 0.0));
   }
   nlopt::srand(static_cast<unsigned long>(

@@ -32,13 +32,21 @@ struct OptimiserProblem {
   // value on the margin, on the way to the first feasible point, and a slope that leads back; `value` is then
   // asked there. Before there is a feasible point, what the margins lack grades the penalty.
   std::function<std::vector<double>(const std::vector<double>&)> margins;
+
+  // Optional: `limits` margins that are known only once the point has a value; asked after `value` at the
+  // same point, >= 0 where the limit is kept, of order one. Constraints for the algorithms that take some;
+  // the others see the value raised by what is missing. Where a limit is broken the value is that of the
+  // point all the same.
+  int limits = 0;
+  std::function<std::vector<double>(const std::vector<double>&)> limit_margins = nullptr;
 };
 
 struct OptimiserResult {
-  std::vector<double> best;  // of the feasible points; empty where none had a finite value
-  double value = 0.0;        // there
-  int evaluations = 0;       // calls of `value`
-  std::string reason;        // why the search ended, in words
+  std::vector<double>
+      best;             // of the feasible points that keep the limits; empty where none had a finite value
+  double value = 0.0;   // there
+  int evaluations = 0;  // calls of `value`
+  std::string reason;   // why the search ended, in words
 };
 
 // Throws InputError for an unknown algorithm, or one that cannot search so few variables.

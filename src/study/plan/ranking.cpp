@@ -9,6 +9,7 @@
 #include "base/json_fields.h"
 #include "study/evaluate/result_keys.h"
 #include "study/plan/repeats.h"
+#include "study/spec/spec_ranking.h"
 
 namespace icebow {
 namespace {
@@ -35,10 +36,23 @@ bool is_whole_load(const Json& result) {
                              : number_at(result, result_key::cycle_submersion) > 0.0;
 }
 
-// Half width of the interval of the ranked value; NaN = unknown. A formula has no sampling error.
+// Formulas, programs and what is read off a hull have no sampling error.
+bool is_exact(const std::string& by) {
+  return by == "lindqvist_breaking" || result_key::is_exact(by);
+}
+
+// Of a mean in a result the interval stands beside it: "mean_load_N", "mean_load_ci95_N".
+double half_width_beside(const Json& result, const std::string& pointer) {
+  const std::string unit = "_N";
+  if (pointer.size() < unit.size() || pointer.compare(pointer.size() - unit.size(), unit.size(), unit) != 0)
+    return nan_value;
+  return number_at(result, pointer.substr(0, pointer.size() - unit.size()) + "_ci95" + unit);
+}
+
+// Half width of the interval of the ranked value; NaN = unknown.
 double half_width(const RankedDesign& row, const std::string& rank_by) {
-  if (rank_by == "lindqvist_breaking" || result_key::is_of_program(rank_by)) return 0.0;
-  if (rank_by[0] == '/') return nan_value;
+  if (is_exact(rank_by)) return 0.0;
+  if (rank_by[0] == '/') return half_width_beside(row.evaluation.result, rank_by);
   if (rank_by == "cycle_load") return row.cycle_ci95;
   const double half = std::isfinite(row.difference_ci95) ? row.difference_ci95 : row.mean_load_ci95;
   return rank_by == "mean_load_per_beam" ? half / beam(row.evaluation.result) : half;
@@ -53,6 +67,9 @@ double cycle_samples(const Json& result) {
 // Independent samples behind the half width; NaN = the result does not say.
 double samples(const RankedDesign& row, const std::string& rank_by) {
   const Json& result = row.evaluation.result;
+  if (rank_by[0] == '/')
+    return result_key::is_of_cycle(rank_by) ? cycle_samples(result)
+                                            : number_at(result, result_key::effective_samples);
   if (std::isfinite(row.difference_ci95) && rank_by != "cycle_load") return nan_value;
   if (rank_by != "cycle_load" && row.runs > 1) return row.runs;
   const bool swept = std::isfinite(row.cycle_load) && !part_at(result, result_key::simulation).is_object();
@@ -146,9 +163,35 @@ void mark_ties(Ranking& ranking, std::size_t ranked) {
   }
 }
 
+// A number of the row by the words of a ranking: with all its runs, and corrected where it was confirmed.
+double row_value(const RankedDesign& row, const std::string& by) {
+  if (by == "mean_load") return row.mean_load;
+  if (by == "mean_load_per_beam") return row.mean_load / beam(row.evaluation.result);
+  return ranking_value(row.evaluation, by);
+}
+
+MeanEstimate estimate(const RankedDesign& row, const std::string& by, double value) {
+  const double number = samples(row, by);
+  return mean_estimate(value, half_width(row, by),
+                       std::isfinite(number) ? number : std::numeric_limits<double>::infinity());
+}
+
+void find_front(Ranking& ranking, std::size_t ranked) {
+  const SecondObjective& second = ranking.objective;
+  if (!second.given()) return;
+  std::vector<Objectives> objectives;
+  for (std::size_t i = 0; i < ranked; ++i) {
+    RankedDesign& row = ranking.rows[i];
+    row.second = row_value(row, second.by), row.second_ci95 = half_width(row, second.by);
+    objectives.push_back({value_estimate(row, ranking.rank_by),
+                          estimate(row, second.by, second.largest ? -row.second : row.second)});
+  }
+  const std::vector<FrontPlace> places = front_places(objectives);
+  for (std::size_t i = 0; i < ranked; ++i) ranking.rows[i].front = places[i];
+}
+
 // "baseline, d001, d002 and 4 more"
-std::string listed_names(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 5;
+std::string listed_names(const std::vector<std::string>& names, std::size_t most = 5) {
   std::string text;
   for (std::size_t n = 0; n < std::min(names.size(), most); ++n) text += (n ? ", " : "") + names[n];
   return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
@@ -300,14 +343,13 @@ double ranking_value(const Evaluation& e, const std::string& rank_by) {
 }
 
 MeanEstimate value_estimate(const RankedDesign& row, const std::string& rank_by) {
-  const double number = samples(row, rank_by);
-  return mean_estimate(row.value, half_width(row, rank_by),
-                       std::isfinite(number) ? number : std::numeric_limits<double>::infinity());
+  return estimate(row, rank_by, row.value);
 }
 
-Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by) {
+Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by,
+                     const SecondObjective& second) {
   Ranking ranking;
-  ranking.rank_by = rank_by;
+  ranking.rank_by = rank_by, ranking.objective = second;
   for (const std::vector<Evaluation>& runs : by_design(evaluations))
     ranking.rows.push_back(described(runs, rank_by));
   take_confirmations(ranking);
@@ -316,9 +358,9 @@ Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::stri
   const auto ranked = static_cast<std::size_t>(std::count_if(
       ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) { return group(row) == 0; }));
   mark_ties(ranking, ranked);
+  find_front(ranking, ranked);
   correlate(ranking, ranked);
-  const bool exact = rank_by == "lindqvist_breaking" || result_key::is_of_program(rank_by);
-  if (ranked > 0 && !exact) ranking.warnings = warnings(ranking, ranked);
+  if (ranked > 0 && !is_exact(rank_by)) ranking.warnings = warnings(ranking, ranked);
   return ranking;
 }
 
@@ -370,15 +412,42 @@ Json to_json(const Ranking& ranking) {
                        {"rank", row.rank},
                        {"tied_with_next", row.tied_with_next},
                        {"tied_with_best", row.tied_with_best}});
+    if (!ranking.objective.given()) continue;
+    designs.back()["second"] = finite_or_null(row.second);
+    designs.back()["second_ci95"] = finite_or_null(row.second_ci95);
+    designs.back()["front"] = row.front == FrontPlace::none ? Json(nullptr) : Json(to_string(row.front));
   }
-  return {{"rank_by", ranking.rank_by},
-          {"designs", designs},
-          {"race", to_json(ranking.race)},
-          {"warnings", ranking.warnings},
-          {"disagreements", ranking.disagreements},
-          {"confirmed", confirmed_json(ranking.confirmed)},
-          {"spearman", finite_or_null(ranking.spearman)},
-          {"spearman_n", ranking.spearman_n}};
+  Json json = {{"rank_by", ranking.rank_by},
+               {"designs", designs},
+               {"race", to_json(ranking.race)},
+               {"warnings", ranking.warnings},
+               {"disagreements", ranking.disagreements},
+               {"confirmed", confirmed_json(ranking.confirmed)},
+               {"spearman", finite_or_null(ranking.spearman)},
+               {"spearman_n", ranking.spearman_n}};
+  if (ranking.objective.given()) json["second"] = to_json(ranking.objective);
+  return json;
+}
+
+std::vector<std::string> names_at(const Ranking& ranking, FrontPlace place) {
+  std::vector<std::string> names;
+  for (const RankedDesign& row : ranking.rows)
+    if (row.rank > 0 && row.front == place) names.push_back(row.evaluation.name);
+  return names;
+}
+
+std::string front_in_words(const Ranking& ranking) {
+  if (!ranking.objective.given()) return "";
+  constexpr std::size_t most = 12;
+  const std::vector<std::string> front = names_at(ranking, FrontPlace::front),
+                                 open = names_at(ranking, FrontPlace::open);
+  if (front.empty()) return "no design has both " + ranking.rank_by + " and " + ranking.objective.by;
+  std::string words = "no design is better in both " + ranking.rank_by + " and " + ranking.objective.by +
+                      " (" + (ranking.objective.largest ? "largest" : "smallest") +
+                      " is best) than: " + listed_names(front, most);
+  if (!open.empty())
+    words += "; nor surely, within the intervals of their differences, than: " + listed_names(open, most);
+  return words;
 }
 
 const RankedDesign* best_of(const Ranking& ranking) {

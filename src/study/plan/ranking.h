@@ -8,6 +8,7 @@
 #include "solver/model/mean_difference.h"
 #include "study/evaluate/evaluation.h"
 #include "study/plan/confirmation.h"
+#include "study/plan/pareto.h"
 #include "study/plan/race_record.h"
 #include "study/spec/study_spec.h"
 
@@ -40,10 +41,15 @@ struct RankedDesign {
   double lindqvist = std::numeric_limits<double>::quiet_NaN();
   bool whole_load = false;
   double ratio = std::numeric_limits<double>::quiet_NaN();  // mean load / `lindqvist`
+  // Of a study with two objectives: the second one as the results have it, the half width of its 95 %
+  // interval (0: exact; NaN: not known), and the place among all designs.
+  double second = std::numeric_limits<double>::quiet_NaN(), second_ci95 = second;
+  FrontPlace front = FrontPlace::none;
 };
 
 struct Ranking {
   std::string rank_by;
+  SecondObjective objective;       // the second one, where there is one
   std::vector<RankedDesign> rows;  // ranked first, then infeasible, then failed, then running
   double spearman =
       std::numeric_limits<double>::quiet_NaN();  // of mean load and Lindqvist over the ranked designs
@@ -68,8 +74,16 @@ double ranking_value(const Evaluation& evaluation, const std::string& rank_by);
 MeanEstimate value_estimate(const RankedDesign& row, const std::string& rank_by);
 
 // Evaluations of one design's repeats (study/plan/repeats.h) make one row. An evaluation that is ok but has
-// no number to rank by is listed with the failed ones, with the reason.
-Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by);
+// no number to rank by is listed with the failed ones, with the reason. Designs are ranked by the first
+// objective; a second one gives them their place at the Pareto front.
+Ranking rank_designs(const std::vector<Evaluation>& evaluations, const std::string& rank_by,
+                     const SecondObjective& second = {});
+
+// Names of the ranked designs with that place, best first.
+std::vector<std::string> names_at(const Ranking& ranking, FrontPlace place);
+
+// The front in a sentence, and what may belong to it as well; empty where there is one objective.
+std::string front_in_words(const Ranking& ranking);
 
 // The designs that a study's "confirm" asks to simulate, by the cycle's loads of its evaluations.
 std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evaluations,
@@ -88,8 +102,9 @@ std::string compared_part(const Ranking& ranking);
 
 // Full-scale values in N; the keys of `icebow rank --json`: design, status, reason, parameters, mean_load_N,
 // mean_load_ci95_N, runs, ci95_series_N, ci95_repeats_N, lindqvist_breaking_N, lindqvist_N and lindqvist_part
-// (what ratio compares with), ratio, rank, tied_with_next, tied_with_best; and "race" (null where there was
-// none) and "warnings". NaN becomes null.
+// (what ratio compares with), ratio, rank, tied_with_next, tied_with_best; "race" (null where there was
+// none) and "warnings"; with two objectives "second" {"by", "best"}, and of each design "second",
+// "second_ci95" and "front". NaN becomes null.
 Json to_json(const Ranking& ranking);
 
 }  // namespace icebow

@@ -114,6 +114,33 @@ std::vector<std::vector<double>> augmented_hypercube(std::vector<std::vector<dou
   return points;
 }
 
+std::vector<std::vector<double>> morris(int dimension, int trajectories, std::uint64_t seed) {
+  const auto d = static_cast<std::size_t>(dimension);
+  std::mt19937_64 random(seed);
+  Points points;
+  std::vector<std::size_t> order(d);
+  for (int t = 0; t < trajectories; ++t) {
+    std::vector<int> level(d), step(d);  // of 0 ... 3, and by 2 up or down
+    for (std::size_t k = 0; k < d; ++k) {
+      level[k] = static_cast<int>(4.0 * between_0_and_1(random));
+      step[k] = level[k] < 2 ? 2 : -2;
+    }
+    const auto point = [&] {
+      Point p;
+      for (const int l : level) p.push_back(l / 3.0);
+      return p;
+    };
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    shuffle(order, random);
+    points.push_back(point());
+    for (const std::size_t axis : order) {
+      level[axis] += step[axis];
+      points.push_back(point());
+    }
+  }
+  return points;
+}
+
 std::vector<std::vector<double>> central_composite(int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
   Points points = {Point(d, 0.5)};

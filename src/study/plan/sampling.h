@@ -28,6 +28,10 @@ std::vector<std::vector<double>> augmented_hypercube(std::vector<std::vector<dou
 enum class Sequence { sobol, halton };
 std::vector<std::vector<double>> sequence(Sequence kind, int dimension, int n);
 
+// Trajectories in a grid of four levels (Morris 1991): each starts at a random point of it and changes every
+// axis once, in random order, by two thirds of its length: dimension + 1 points each.
+std::vector<std::vector<double>> morris(int dimension, int trajectories, std::uint64_t seed);
+
 // In the unit cube: the centre, the middles of the faces and the corners.
 std::vector<std::vector<double>> central_composite(int dimension);
 

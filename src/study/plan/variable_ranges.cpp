@@ -10,6 +10,7 @@ namespace icebow {
 
 bool is_within(const std::vector<Variable>& variables, const std::map<std::string, double>& parameters) {
   return std::all_of(variables.begin(), variables.end(), [&](const Variable& v) {
+    if (!v.words.empty()) return true;
     const auto found = parameters.find(v.pointer);
     return found != parameters.end() && found->second >= v.lower && found->second <= v.upper;
   });

@@ -46,7 +46,9 @@ bool DesignLoop::recall(const PlannedDesign& planned) {
   if (!stored) return false;
   const Json before = to_json(*stored);
   apply_constraints(spec_.constraints, *stored);
-  if (lacks_a_number(*stored) && !planned.design.asked.peridynamics) return false;
+  const bool lacks_part = stored->status == EvaluationStatus::ok && planned.design.asked.hydrostatics &&
+                          !stored->result.contains("hydrostatics");
+  if ((lacks_part || lacks_a_number(*stored)) && !planned.design.asked.peridynamics) return false;
   if (stored->status == EvaluationStatus::running) {
     const Crashes crashes = crashes_of(*stored, settings_.directory);
     if (crashes.count < 2) return false;
@@ -63,6 +65,7 @@ bool DesignLoop::recall(const PlannedDesign& planned) {
   if (sails_on(planned, *stored)) return false;
   stored->parameters =
       planned.design.parameters;  // the study may have other variables than when it was stored
+  note_choices(spec_, planned.design, *stored);
   complete_result(*stored, settings_.directory, !planned.design.asked.formula_alone());
   if (to_json(*stored) != before) store_.put(*stored);
   report(*stored, true);
@@ -146,6 +149,7 @@ void DesignLoop::keep(Evaluation& evaluation) {
   }
   evaluation.key = planned.key;
   evaluation.parameters = planned.design.parameters;
+  note_choices(spec_, planned.design, evaluation);
   apply_constraints(spec_.constraints, evaluation);
   complete_result(evaluation, settings_.directory, !planned.design.asked.formula_alone());
   store_.put(evaluation);
@@ -164,7 +168,7 @@ void DesignLoop::told(const Evaluation& evaluation) {
 }
 
 void DesignLoop::report(const Evaluation& evaluation, bool recalled) {
-  values_[evaluation.key] = ranking_value(evaluation, spec_.rank_by);
+  seen_[evaluation.key] = seen_of(spec_, evaluation);
   outcome_.recalled += recalled ? 1 : 0;
   observer_.on_finished(evaluation, recalled);
 }

@@ -11,6 +11,7 @@
 #include "study/run/failure_rate.h"
 #include "study/run/runner.h"
 #include "study/run/study_observer.h"
+#include "study/run/study_search.h"
 #include "study/spec/study_spec.h"
 #include "study/store/store.h"
 
@@ -36,9 +37,9 @@ class DesignLoop {
   void abandon();
   bool too_many_failed() const { return !failures_.too_many().empty(); }
 
-  // What the study ranks by, of each design that this loop has recalled or evaluated.
-  bool has_seen(const std::string& key) const { return values_.count(key) > 0; }
-  double value(const std::string& key) const { return values_.at(key); }
+  // Of each design that this loop has recalled or evaluated.
+  bool has_seen(const std::string& key) const { return seen_.count(key) > 0; }
+  const Seen& seen(const std::string& key) const { return seen_.at(key); }
 
  private:
   bool recall(const PlannedDesign& planned);
@@ -60,7 +61,7 @@ class DesignLoop {
   StudyObserver& observer_;
   StudyOutcome& outcome_;
   std::map<std::string, PlannedDesign> under_way_;  // by name
-  std::map<std::string, double> values_;            // by key
+  std::map<std::string, Seen> seen_;                // by key
   FailureRate failures_{spec_.execution.stop_at_failure_rate};
 };
 

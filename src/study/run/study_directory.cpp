@@ -6,6 +6,7 @@
 #include "study/evaluate/provenance.h"
 #include "study/plan/augmentation.h"
 #include "study/run/crash_mark.h"
+#include "study/spec/spec_ranking.h"
 #include "study/store/design_files.h"
 
 namespace icebow {
@@ -65,6 +66,7 @@ void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings)
   store.set_fact("name", spec.name);
   store.set_fact("purpose", spec.purpose);
   store.set_fact("rank_by", spec.rank_by);
+  store.set_fact("second_objective", json_text(to_json(spec.second)));
   store.set_fact("seed", std::to_string(spec.method.seed));
   store.set_fact("command", settings.command);
   store.set_fact("version", program_version());

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "study/evaluate/calibration.h"
-#include "study/plan/optimiser.h"
 #include "study/plan/ranking.h"
 #include "study/plan/repeats.h"
 #include "study/plan/variable_ranges.h"
@@ -63,18 +62,10 @@ void StudyLoop::run_plan(const StudyPlan& plan) {
 
 void StudyLoop::run_optimiser() {
   if (spec_.method.algorithm == learning_algorithm) return learn();
-  OptimiserProblem problem;
-  for (const Variable& variable : spec_.method.variables) {
-    problem.lower.push_back(variable.lower);
-    problem.upper.push_back(variable.upper);
-  }
-  problem.start = start_point(spec_);
-  problem.value = [this](const std::vector<double>& x) { return value_at(x); };
-  problem.margins = [this](const std::vector<double>& x) { return margins_at(x); };
-  const Method& method = spec_.method;
-  const OptimiserResult result =
-      optimise(problem, {method.algorithm, method.seed, method.max_evaluations, method.tolerance});
-  outcome_.notes.push_back(method.algorithm + " ended after " + std::to_string(result.evaluations) +
+  const OptimiserResult result = search_study(
+      spec_, [this](const std::vector<double>& x) { return seen_at(x); },
+      [this](const std::vector<double>& x) { return margins_at(x); });
+  outcome_.notes.push_back(spec_.method.algorithm + " ended after " + std::to_string(result.evaluations) +
                            " points" + (result.best.empty() ? ", none of which has a value: " : ": ") +
                            result.reason);
 }
@@ -149,16 +140,16 @@ const std::vector<PlannedDesign>& StudyLoop::proposed(const std::vector<double>&
 }
 
 // A point the study has met already, the baseline for one, keeps the name it has.
-double StudyLoop::value_at(const std::vector<double>& x) {
+Seen StudyLoop::seen_at(const std::vector<double>& x) {
   const std::vector<PlannedDesign>& runs = proposed(x);
   if (!loop_.has_seen(runs.front().key)) {
     ++numbered_;
     for (const PlannedDesign& run : runs) store_.add_to_study(run.key);
     evaluate(runs);
   }
-  std::vector<double> values;
-  for (const PlannedDesign& run : runs) values.push_back(loop_.value(run.key));
-  return repeated_mean(values, values).mean;
+  std::vector<Seen> seen;
+  for (const PlannedDesign& run : runs) seen.push_back(loop_.seen(run.key));
+  return mean_of(seen);
 }
 
 std::vector<double> StudyLoop::margins_at(const std::vector<double>& x) {

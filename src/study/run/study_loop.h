@@ -31,7 +31,7 @@ class StudyLoop {
   std::vector<std::vector<std::string>> evaluate_points(const std::vector<std::vector<double>>& points);
   void confirm();
   void race(const std::vector<PlannedDesign>& designs);
-  double value_at(const std::vector<double>& x);
+  Seen seen_at(const std::vector<double>& x);
   std::vector<double> margins_at(const std::vector<double>& x);
   const std::vector<PlannedDesign>& proposed(const std::vector<double>& x);
   void evaluate(const std::vector<PlannedDesign>& designs);

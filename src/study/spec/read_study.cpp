@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "base/errors.h"
-#include "base/printable.h"
 #include "study/spec/held_document.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/spec_constraints.h"
@@ -15,47 +14,12 @@
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hull.h"
 #include "study/spec/spec_method.h"
+#include "study/spec/spec_ranking.h"
 #include "study/spec/spec_scenarios.h"
 #include "study/spec/spec_table.h"
 
 namespace icebow {
 namespace {
-
-// A load of a result by its pointer.
-void check_ranking_pointer(const StudySpec& spec, Mistakes& mistakes) {
-  const std::string& by = spec.rank_by;
-  const auto mistake = [&](const std::string& message) {
-    mistakes.push_back({"/ranking/by", "is \"" + by + "\", " + message});
-  };
-  if (by.size() < 4 || by.compare(by.size() - 2, 2, "_N") != 0)
-    return mistake("a number that is no load: the keys of loads end in _N, in newtons at full scale");
-  if (by.rfind("/programs/", 0) != 0) return;
-  const std::string name = by.substr(10, by.find('/', 10) - 10);
-  std::vector<std::string> names;
-  for (const ProgramEvaluator& program : spec.programs) names.push_back(program.name);
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    mistake("which needs a program of the name \"" + name + "\" in /evaluators" + did_you_mean(name, names));
-}
-
-void check_ranking(const StudySpec& spec, const Section& ranking, Mistakes& mistakes) {
-  if (spec.rank_by[0] == '/') return check_ranking_pointer(spec, mistakes);
-  const std::vector<std::string> known = {"mean_load", "mean_load_per_beam", "cycle_load",
-                                          "lindqvist_breaking"};
-  if (std::find(known.begin(), known.end(), spec.rank_by) == known.end()) {
-    mistakes.push_back({ranking.pointer("by"),
-                        "is \"" + shortened(printable(spec.rank_by), 40) + "\", must be one of " +
-                            listed(known) + did_you_mean(spec.rank_by, known) +
-                            ", or a pointer to a load of a result, like /programs/yard/resistance_N"});
-    return;
-  }
-  const bool formula = spec.rank_by == "lindqvist_breaking", cycle = spec.rank_by == "cycle_load";
-  if (formula ? spec.use_lindqvist : spec.use_cycle || (!cycle && spec.use_peridynamics)) return;
-  mistakes.push_back({ranking.pointer("by"), std::string("is \"") + spec.rank_by + "\", which needs \"" +
-                                                 (formula ? "lindqvist\""
-                                                  : cycle ? "cycle\""
-                                                          : "cycle\" or \"peridynamics\"") +
-                                                 " in /evaluators"});
-}
 
 void check_repeats(const StudySpec& spec, Mistakes& mistakes) {
   if (spec.repeats <= 1 || spec.use_peridynamics || spec.confirm.given()) return;
@@ -92,6 +56,8 @@ void check_decide(const StudySpec& spec, Mistakes& mistakes) {
     mistake("/decide",
             "decides between designs that are known: the method must be list, grid or "
             "latin_hypercube, not optimise");
+  if (spec.second.given())
+    mistake("/ranking/by", "gives two objectives, but /decide decides by one load: drop one of them");
   if (spec.repeats > 1)
     mistake("/repeats", "is " + std::to_string(spec.repeats) +
                             ", but with /decide each design is one voyage that is sailed on: drop it");
@@ -160,10 +126,7 @@ StudySpec parse_study(const Json& document, const std::string& name, Mistakes& m
   read_confirm(document, spec, evaluators_known, mistakes);
   spec.designs = parse_designs(document, mistakes);
   spec.method = parse_method(document, mistakes);
-  const Section ranking(document, "ranking", 1.0, mistakes);
-  spec.rank_by =
-      ranking.text("by", spec.use_peridynamics || spec.use_cycle ? "mean_load" : "lindqvist_breaking");
-  if (ranking.good() && evaluators_known) check_ranking(spec, ranking, mistakes);
+  read_ranking(document, spec, evaluators_known, mistakes);
   const Section execution(document, "execution", 1.0, mistakes);
   spec.execution = {execution.integer("ranks_per_design"), execution.integer("designs_at_once"),
                     execution.number("time_limit"), execution.number("stop_at_failure_rate"),

@@ -7,6 +7,7 @@
 #include "hullgen/bow/bow_angles.h"
 #include "hullgen/bow/family.h"
 #include "solver/tank/virtual_tests.h"
+#include "study/spec/spec_derived.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hold.h"
 #include "study/spec/spec_hull.h"
@@ -304,7 +305,13 @@ void check_run(const Case& c, const Sections& s, Mistakes& m) {
 
 }  // namespace
 
-Case parse_case(const Json& document, Mistakes& mistakes) {
+Case parse_case(const Json& given, Mistakes& mistakes) {
+  Json derived;
+  if (given.contains("derived")) {
+    derived = given;
+    apply_derived(derived, mistakes);
+  }
+  const Json& document = given.contains("derived") ? derived : given;
   Case c;
   c.lambda = lambda_of(document, mistakes);
   Sections s(document, c.lambda, mistakes);

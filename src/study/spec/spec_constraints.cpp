@@ -9,25 +9,6 @@
 namespace icebow {
 namespace {
 
-// What the number needs that the study does not have; empty where it is there.
-std::string lacking(const StudySpec& spec, const std::string& at) {
-  const auto below = [&](const std::string& part) {
-    return at.size() > part.size() && at.rfind(part, 0) == 0;
-  };
-  if (below("/hull/margins/") || below("/hydrostatics/")) return "";
-  if (below("/lindqvist/")) return spec.use_lindqvist ? "" : "needs \"lindqvist\" in /evaluators";
-  if (below("/cycle/")) return spec.use_cycle ? "" : "needs \"cycle\" in /evaluators";
-  if (below("/metrics/"))
-    return spec.use_cycle || spec.use_peridynamics ? ""
-                                                   : "needs \"cycle\" or \"peridynamics\" in /evaluators";
-  for (const ProgramEvaluator& program : spec.programs)
-    if (below("/programs/" + program.name + "/")) return "";
-  if (below("/programs/")) return "needs a program of that name in /evaluators";
-  return "must be the pointer of a number in a result, below /hull/margins, /hydrostatics, /lindqvist, "
-         "/cycle, "
-         "/metrics/full_scale or /programs/NAME";
-}
-
 double bound(const Json& entry, const char* key, double none, const std::string& at, Mistakes& mistakes) {
   if (!entry.contains(key)) return none;
   const Json& value = entry.at(key);
@@ -53,7 +34,7 @@ ResultConstraint parse_constraint(const Json& entry, const std::string& at, cons
           {at + "/" + item.key(),
            "is not a key of a constraint" + did_you_mean(item.key(), keys) + "; it has " + listed(keys)});
   c.at = text_at(entry, "/at");
-  const std::string missing = lacking(spec, c.at);
+  const std::string missing = lacking_number(spec, c.at);
   if (!missing.empty())
     mistakes.push_back({at + "/at", "is " + shown(entry.value("at", Json())) + ", " + missing});
   c.lower = bound(entry, "min", c.lower, at, mistakes);
@@ -66,6 +47,24 @@ ResultConstraint parse_constraint(const Json& entry, const std::string& at, cons
 }
 
 }  // namespace
+
+std::string lacking_number(const StudySpec& spec, const std::string& at) {
+  const auto below = [&](const std::string& part) {
+    return at.size() > part.size() && at.rfind(part, 0) == 0;
+  };
+  if (below("/hull/margins/") || below("/hydrostatics/")) return "";
+  if (below("/lindqvist/")) return spec.use_lindqvist ? "" : "needs \"lindqvist\" in /evaluators";
+  if (below("/cycle/")) return spec.use_cycle ? "" : "needs \"cycle\" in /evaluators";
+  if (below("/metrics/"))
+    return spec.use_cycle || spec.use_peridynamics ? ""
+                                                   : "needs \"cycle\" or \"peridynamics\" in /evaluators";
+  for (const ProgramEvaluator& program : spec.programs)
+    if (below("/programs/" + program.name + "/")) return "";
+  if (below("/programs/")) return "needs a program of that name in /evaluators";
+  return "must be the pointer of a number in a result, below /hull/margins, /hydrostatics, /lindqvist, "
+         "/cycle, "
+         "/metrics/full_scale or /programs/NAME";
+}
 
 void parse_constraints(const Json& document, StudySpec& spec, Mistakes& mistakes) {
   if (!document.contains("constraints")) return;

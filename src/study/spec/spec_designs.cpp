@@ -9,6 +9,7 @@
 #include "study/spec/design_name.h"
 #include "study/spec/held_document.h"
 #include "study/spec/spec_case.h"
+#include "study/spec/spec_derived.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hold.h"
 
@@ -86,6 +87,13 @@ NamedDesign parse_design(const CaseMistakes& baseline, const Json& design, const
   named.set = design.value("set", Json::object());
   if (!parse_patch_keys(named.set, at + "/set", mistakes)) return named;
   refuse_held(baseline.document(), named.set, at + "/set", mistakes);
+  for (const auto& [section, values] : named.set.items()) {
+    if (!values.is_object()) continue;
+    for (const auto& [key, value] : values.items())
+      if (is_derived(baseline.document(), "/" + section + "/" + key))
+        mistakes.push_back({at + "/set/" + section + "/" + key,
+                            "is derived by an expression in /derived: change what that depends on"});
+  }
   Json patched = baseline.document();
   patched.merge_patch(named.set);
   for (const Mistake& m : baseline.fresh(patched)) {

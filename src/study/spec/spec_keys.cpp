@@ -123,10 +123,11 @@ const std::vector<Key> table = {
   {"output", "format", Quantity::choice, 0, 0, false, none, "vtp", "files of the ice's snapshots: XML, a piece for each MPI rank, or one HDF5 file for millions of particles", {"vtp", "vtkhdf"}},
   {"output", "pictures", Quantity::integer, 0, 1000, false, 3, "3", "top-view pictures of each run", {}},
 
-  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "one_at_a_time", "latin_hypercube", "sobol", "halton", "central_composite", "box_behnken", "table", "optimise"}},
+  {"method", "type", Quantity::choice, 0, 0, false, none, "list", "how designs are proposed", {"list", "grid", "one_at_a_time", "latin_hypercube", "sobol", "halton", "morris", "central_composite", "box_behnken", "table", "optimise"}},
   {"method", "file", Quantity::text, 0, 0, false, none, "none", "table: CSV with a column for each variable, headed by its pointer, and a line for each design, from the study file's directory", {}},
-  {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube, sobol, halton: number of designs", {}},
-  {"method", "seed", Quantity::integer, 0, any, false, 1, "1", "latin_hypercube, optimise: seed of the random numbers", {}},
+  {"method", "samples", Quantity::integer, 1, 100000, false, 10, "10", "latin_hypercube, sobol, halton: number of designs; morris: of trajectories, each of one design more than there are variables", {}},
+  {"method", "replace_infeasible", Quantity::boolean, 0, 0, false, 0, "false", "latin_hypercube, sobol, halton: a bow that the margins rule out is replaced by the next feasible one of a sequence, and counted", {}},
+  {"method", "seed", Quantity::integer, 0, any, false, 1, "1", "latin_hypercube, morris, optimise: seed of the random numbers", {}},
   {"method", "algorithm", Quantity::text, 0, 0, false, none, "cobyla", "optimise: which optimiser", {}},
   {"method", "max_evaluations", Quantity::integer, 1, 100000, false, 60, "60", "optimise: stop after this many points, the start among them", {}},
   {"method", "tolerance", Quantity::number, 0, 0.5, false, 0.01, "0.01", "optimise: stop when the parameters move less than this part of their range", {}},
@@ -143,7 +144,7 @@ const std::vector<Key> table = {
   {"decide", "budget_core_h", Quantity::number, 0, 1e6, false, 0, "0", "no design is sailed on once the simulations have taken so many core hours; 0 = no limit", {}},
   {"decide", "longest", Quantity::length, 0.001, 200000, false, none, "operation.steady_from + 20 (advance - steady_from)", "no voyage is sailed farther", {}},
 
-  {"ranking", "by", Quantity::text, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle; or a load of a result by its pointer, like /programs/yard/resistance_N", {}},
+  {"ranking", "by", Quantity::text, 0, 0, false, none, "mean_load; lindqvist_breaking where only the formula is evaluated", "what is compared; smaller is better. mean_load is that of peridynamics where the study has it, else that of the cycle; or a load of a result by its pointer, like /programs/yard/resistance_N. A list of two weighs this against another number: \"Two objectives\"", {}},
 
   {"ranking", "over_scenarios", Quantity::choice, 0, 0, false, none, "mean", "with /scenarios: by the mean of the loads with the scenarios' weights, or by the worst", {"mean", "worst"}},
 
@@ -285,9 +286,9 @@ const std::vector<std::string>& design_sections() {
 
 const std::vector<std::string>& structural_keys() {
   static const std::vector<std::string> keys = {
-      "bow",    "hold",    "hull",   "ice",        "water",    "sheet",     "operation",
-      "solver", "cycle",   "output", "evaluators", "designs",  "scenarios", "constraints",
-      "method", "confirm", "decide", "ranking",    "execution"};
+      "bow",         "derived", "hold",    "hull",   "ice",        "water",    "sheet",
+      "operation",   "solver",  "cycle",   "output", "evaluators", "designs",  "scenarios",
+      "constraints", "method",  "confirm", "decide", "ranking",    "execution"};
   return keys;
 }
 

@@ -24,10 +24,14 @@ const std::vector<MethodInfo>& types() {
       {"one_at_a_time", MethodType::one_at_a_time, {"variables"}, {"min", "max", "levels", "values"}},
       {"latin_hypercube",
        MethodType::latin_hypercube,
-       {"variables", "samples", "seed", "extends"},
-       {"min", "max"}},
-      {"sobol", MethodType::sobol, {"variables", "samples"}, {"min", "max"}},
-      {"halton", MethodType::halton, {"variables", "samples"}, {"min", "max"}},
+       {"variables", "samples", "seed", "extends", "replace_infeasible"},
+       {"min", "max", "values"}},
+      {"sobol", MethodType::sobol, {"variables", "samples", "replace_infeasible"}, {"min", "max", "values"}},
+      {"halton",
+       MethodType::halton,
+       {"variables", "samples", "replace_infeasible"},
+       {"min", "max", "values"}},
+      {"morris", MethodType::morris, {"variables", "samples", "seed"}, {"min", "max"}},
       {"central_composite", MethodType::central_composite, {"variables"}, {"min", "max"}},
       {"box_behnken", MethodType::box_behnken, {"variables"}, {"min", "max"}},
       {"table", MethodType::table, {"file", "columns", "rows"}, {}},
@@ -58,6 +62,7 @@ double designs_of(const MethodInfo& type, const Method& method) {
     const double levels = v.values.empty() ? std::max(1, v.levels) : static_cast<double>(v.values.size());
     product *= levels, sum += levels;
   }
+  if (type.type == MethodType::morris) return method.samples * (d + 1.0);
   if (type.type == MethodType::central_composite) return 1.0 + 2.0 * d + std::exp2(d);
   return type.type == MethodType::grid ? product : type.type == MethodType::one_at_a_time ? sum : 1.0;
 }
@@ -97,7 +102,7 @@ void parse_variables(const Json& document, const MethodInfo& type, Method& metho
   if (designs > most_designs) {
     mistakes.push_back({"/method/variables", "makes " + brief(designs) + " designs, at most " +
                                                  brief(most_designs) +
-                                                 "; fewer levels, or a latin_hypercube"});
+                                                 "; fewer levels or samples, or a latin_hypercube"});
   }
 }
 
@@ -238,10 +243,12 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
   const MethodInfo& type = type_named(name);
   if (type.name != name) return method;  // a wrong type: nothing sensible can be said of the rest
   method.type = type.type;
+  if (is_one_of(type.keys, "samples")) method.samples = section.integer("samples");
+  if (is_one_of(type.keys, "replace_infeasible"))
+    method.replace_infeasible = section.boolean("replace_infeasible");
   check_used(document.at("method"), type, mistakes);
   if (is_one_of(type.keys, "variables")) parse_variables(document, type, method, mistakes);
   if (method.type == MethodType::table) parse_table(document, method, mistakes);
-  if (is_one_of(type.keys, "samples")) method.samples = section.integer("samples");
   if (method.type == MethodType::latin_hypercube)
     method.extends = parse_extends(document.at("method"), method.samples, mistakes);
   method.seed = std::isnan(section.number("seed")) ? 1 : static_cast<std::uint64_t>(section.number("seed"));

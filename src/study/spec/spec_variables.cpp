@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/spec/spec_derived.h"
 #include "study/spec/spec_designs.h"
 #include "study/spec/spec_hints.h"
 #include "study/spec/spec_hold.h"
@@ -28,7 +29,10 @@ class VariableReader {
     }
     check_keys(range);
     const std::size_t before = mistakes_.size();
-    range.contains("values") ? read_values(range) : read_range(range);
+    if (is_choice())
+      read_words(range);
+    else
+      range.contains("values") ? read_values(range) : read_range(range);
     if (mistakes_.size() == before) try_ends();
     return variable_;
   }
@@ -45,9 +49,13 @@ class VariableReader {
           "angle there and vary that, like /hull/stem_deg");
       return false;
     }
-    if (!target_.key || !of_a_design || !is_numeric(target_.key->quantity)) {
-      mistake("", "is not a number of bow, hull, ice, water, sheet, operation or solver" +
+    if (!target_.key || !of_a_design || !(is_numeric(target_.key->quantity) || is_choice())) {
+      mistake("", "is not a number or choice of bow, hull, ice, water, sheet, operation or solver" +
                       did_you_mean(variable_.pointer, candidates()));
+      return false;
+    }
+    if (is_derived(document_, variable_.pointer)) {
+      mistake("", "is derived by an expression in /derived: vary what that depends on");
       return false;
     }
     const Json::json_pointer pointer(variable_.pointer);
@@ -77,11 +85,14 @@ class VariableReader {
     std::vector<std::string> known;
     for (const std::string& section : design_sections()) {
       for (const Key* key : keys_of_section(section)) {
-        if (is_numeric(key->quantity)) known.push_back("/" + section + "/" + spelled(*key));
+        if (is_numeric(key->quantity) || key->quantity == Quantity::choice)
+          known.push_back("/" + section + "/" + spelled(*key));
       }
     }
     return known;
   }
+
+  bool is_choice() const { return target_.key->quantity == Quantity::choice; }
 
   void check_keys(const Json& range) {
     for (const auto& item : range.items()) {
@@ -131,13 +142,42 @@ class VariableReader {
     variable_.upper = *std::max_element(variable_.values.begin(), variable_.values.end());
   }
 
+  // Of a choice, like the family of the bow.
+  void read_words(const Json& range) {
+    const Key& key = *target_.key;
+    if (!is_one_of(type_.variable_keys, "values"))
+      return mistake("", "is a choice of words, which the method \"" + std::string(type_.name) +
+                             "\" cannot vary; take grid, one_at_a_time, latin_hypercube, sobol or halton");
+    const Json words = range.value("values", Json());
+    if (!words.is_array() || words.empty() || range.size() != 1)
+      return mistake("/values", "is " + shown(words) + ", must be a list of one or more of " +
+                                    listed(key.choices) + ", and nothing beside it");
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const std::string at = "/values/" + std::to_string(k);
+      const std::string word = words[k].is_string() ? words[k].get<std::string>() : "";
+      if (!is_one_of(key.choices, word))
+        mistake(at, "is " + shown(words[k]) + ", must be one of " + listed(key.choices) +
+                        did_you_mean(word, key.choices));
+      if (is_one_of(variable_.words, word)) mistake(at, "is \"" + word + "\" again; list each once");
+      variable_.words.push_back(word);
+      variable_.values.push_back(static_cast<double>(k));
+    }
+    variable_.upper = variable_.values.back();
+    const Json& own = document_.at(Json::json_pointer(variable_.pointer));
+    if (!own.is_string() || !is_one_of(variable_.words, own.get<std::string>()))
+      mistake("/values", "do not hold " + shown(own) + ", which the file has: add it");
+  }
+
   bool contains_value(double x) const {
     return std::find(variable_.values.begin(), variable_.values.end(), x) != variable_.values.end();
   }
 
   void read_range(const Json& range) {
     const bool grid = is_one_of(type_.variable_keys, "levels");
-    const std::string shape = grid ? "min, max and levels, or values" : "min and max";
+    const bool lists = is_one_of(type_.variable_keys, "values");
+    const std::string shape = grid    ? "min, max and levels, or values"
+                              : lists ? "min and max, or values"
+                                      : "min and max";
     for (const char* needed : {"min", "max", "levels"}) {
       const bool wanted = grid || std::string(needed) != "levels";
       if (wanted && !range.contains(needed))
@@ -145,8 +185,8 @@ class VariableReader {
     }
     if (target_.key->quantity == Quantity::integer) {
       mistake("",
-              "takes whole numbers only, so no range; list them in values (method \"grid\" or "
-              "\"one_at_a_time\")");
+              "takes whole numbers only, so no range; list them in values (methods \"grid\", "
+              "\"one_at_a_time\", \"latin_hypercube\", \"sobol\" and \"halton\")");
     }
     if (range.contains("min")) variable_.lower = read_number(range.at("min"), "/min");
     if (range.contains("max")) variable_.upper = read_number(range.at("max"), "/max");
@@ -167,13 +207,16 @@ class VariableReader {
   // Each end of the range by itself must make a case that can be run.
   void try_ends() {
     const CaseMistakes baseline(document_);
-    const auto attempt = [&](double x) {
+    const auto attempt = [&](const Json& x) {
       Json changed = baseline.document();
       changed[Json::json_pointer(variable_.pointer)] = x;
       for (const Mistake& m : baseline.fresh(changed)) {
-        mistake("", "at " + brief(x) + " makes " + m.pointer + " wrong: it " + m.message);
+        mistake("", "at " + (x.is_number() ? brief(x.get<double>()) : shown(x)) + " makes " + m.pointer +
+                        " wrong: it " + m.message);
       }
     };
+    for (const std::string& word : variable_.words) attempt(word);
+    if (!variable_.words.empty()) return;
     attempt(variable_.lower);
     if (variable_.upper != variable_.lower) attempt(variable_.upper);
   }

@@ -77,7 +77,7 @@ struct ProgramEvaluator {
 struct Evaluators {
   bool lindqvist = true, peridynamics = true, cycle = false;
   std::vector<ProgramEvaluator> programs = {};
-  bool hydrostatics = false;  // a constraint asks for them, so there must be a mesh
+  bool hydrostatics = false;  // a constraint or an objective asks for them, so there must be a mesh
 
   bool formula_alone() const {
     return lindqvist && !peridynamics && !cycle && programs.empty() && !hydrostatics;
@@ -91,6 +91,7 @@ enum class MethodType {
   latin_hypercube,
   sobol,
   halton,
+  morris,
   central_composite,
   box_behnken,
   table,
@@ -102,7 +103,9 @@ struct Variable {
   std::string pointer;  // "/bow/stem_deg"
   double lower = 0.0, upper = 0.0;
   int levels = 0;              // grid, one_at_a_time
-  std::vector<double> values;  // there, instead of a range
+  std::vector<double> values;  // instead of a range
+  // Of a choice, like the family: its words. `values` are their places then, 0, 1 ...
+  std::vector<std::string> words;
 };
 
 // A cheaper response that is part of what the search by expected improvement expects.
@@ -119,7 +122,8 @@ struct Learning {
 struct Method {
   MethodType type = MethodType::list;
   std::vector<Variable> variables;
-  int samples = 0;           // latin_hypercube, sobol, halton
+  int samples = 0;                  // latin_hypercube, sobol, halton; trajectories of morris
+  bool replace_infeasible = false;  // there, but for morris
   std::vector<int> extends;  // latin_hypercube: smaller numbers of samples that it grew from, ascending
   std::vector<std::vector<double>> rows;  // table: a value for each variable
   std::uint64_t seed = 1;
@@ -166,6 +170,13 @@ struct ResultConstraint {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
 };
 
+// What a study weighs against what it ranks by: its designs have a Pareto front.
+struct SecondObjective {
+  std::string by;        // as StudySpec::rank_by, or the pointer of any number of a result; empty: none
+  bool largest = false;  // the largest is best; else the smallest
+  bool given() const { return !by.empty(); }
+};
+
 struct StudySpec {
   std::string file, name, purpose;
   Json document;  // as read: named designs and variables are applied to it
@@ -181,6 +192,7 @@ struct StudySpec {
   // result,
   // "/programs/yard/resistance_N"
   std::string rank_by = "mean_load";
+  SecondObjective second;
   Confirm confirm;  // use_peridynamics is false then: the sweep is the cycle's
   Decide decide;
   Execution execution;

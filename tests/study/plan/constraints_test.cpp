@@ -64,7 +64,7 @@ TEST_CASE("an optimum keeps to a constraint on a result") {
   const Store store = Store::open_read_only(directory / "s/results.sqlite");
   const double best = number_at(store.find_name(outcome.best)->result, "/metrics/full_scale/mean_load_N");
   CHECK(best >= 1.4e6);
-  CHECK(best < 1.45e6);
+  CHECK(best < 1.41e6);  // the bound is where the load is 1.4 MN; the search stops within 1 % of the range
 }
 
 TEST_CASE("a number that a stored result lacks") {

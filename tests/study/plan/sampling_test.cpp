@@ -160,3 +160,23 @@ TEST_CASE("central composite and Box-Behnken designs are the textbook's") {
   for (std::size_t i = 1; i < behnken.size(); ++i)
     CHECK(std::count(behnken[i].begin(), behnken[i].end(), 0.5) == 1);
 }
+
+TEST_CASE("a trajectory of Morris changes every axis once, by two thirds, and stays on four levels") {
+  const auto points = morris(3, 20, 7);
+  REQUIRE(points.size() == 80);
+  CHECK(points == morris(3, 20, 7));
+  CHECK(points != morris(3, 20, 8));
+  for (std::size_t t = 0; t < 20; ++t) {
+    std::vector<int> changed(3, 0);
+    for (std::size_t step = 0; step < 3; ++step)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double from = points[4 * t + step][axis], to = points[4 * t + step + 1][axis];
+        CHECK(std::fabs(3.0 * to - std::round(3.0 * to)) < 1e-12);  // rounding of thirds
+        CHECK((to >= 0.0 && to <= 1.0));
+        if (from == to) continue;
+        ++changed[axis];
+        CHECK(std::fabs(to - from) == Approx(2.0 / 3.0));
+      }
+    CHECK(changed == std::vector<int>{1, 1, 1});
+  }
+}

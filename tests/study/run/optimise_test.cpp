@@ -1,5 +1,7 @@
 // Studies whose designs an optimiser proposes.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/support/fake_runs.h"
 
@@ -49,4 +51,35 @@ TEST_CASE("an optimiser's start is one of its points, and costs nothing where it
             fake_study(R"({"include_baseline": false, "method": {"type": "optimise", "max_evaluations": 30,
     "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})"))
             .proposals == 30);
+}
+
+TEST_CASE("an optimiser with two objectives finds designs along the front, within its budget") {
+  // The load is smallest at a stem of 20 deg, the margin g1 largest at 15: the front lies between.
+  const TemporaryDirectory directory;
+  RecordingObserver observer;
+  const StudySpec spec = fake_study(R"({
+    "ranking": {"by": ["mean_load", {"by": "/hull/margins/g1", "best": "largest"}]},
+    "method": {"type": "optimise", "max_evaluations": 60, "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})");
+  const StudyOutcome outcome =
+      run_study(Communicator::serial(), spec, fake_settings(directory / "s"), observer);
+  CHECK_THAT(outcome.notes.back(), Catch::Contains("the front was searched by"));
+  CHECK(observer.finished.size() <= 60);
+  std::vector<double> stems;
+  for (const Evaluation& e : observer.finished) stems.push_back(e.parameters.at("/bow/stem_deg"));
+  for (const double wanted : {15.0, 17.5, 20.0}) {
+    CAPTURE(wanted);
+    CHECK(
+        std::any_of(stems.begin(), stems.end(), [&](double stem) { return std::fabs(stem - wanted) < 0.5; }));
+  }
+}
+
+TEST_CASE("where the second objective agrees with the first it is said that there is no front") {
+  const TemporaryDirectory directory;
+  RecordingObserver observer;
+  const StudySpec spec = fake_study(R"({
+    "ranking": {"by": ["mean_load", "lindqvist_breaking"]},
+    "method": {"type": "optimise", "max_evaluations": 30, "variables": {"/bow/stem_deg": {"min": 15, "max": 34}}}})");
+  const StudyOutcome outcome =
+      run_study(Communicator::serial(), spec, fake_settings(directory / "s"), observer);
+  CHECK_THAT(outcome.notes.back(), Catch::Contains("there is no front"));
 }

@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "hullgen/bow/family.h"
 #include "study/evaluate/evaluator_inputs.h"
-#include "study/spec/model_notes.h"
+#include "study/plan/model_notes.h"
 #include "study/spec/spec_case.h"
 #include "study/spec/study_spec.h"
 #include "tests/support/study_documents.h"

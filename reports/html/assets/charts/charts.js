@@ -1,6 +1,7 @@
 // Which charts there are, and when they are drawn again.
 import { drawAngles } from "./angles.js";
 import { drawEffects, drawResponse } from "./effects.js";
+import { drawFront } from "./front.js";
 import { drawHistory, setUpHistory } from "./history.js";
 import { drawLoads } from "./loads.js";
 import { drawParallel, setUpParallel } from "./parallel.js";
@@ -10,7 +11,7 @@ import { forEachChart } from "./kit.js";
 import { onChoice } from "../selection.js";
 import { redrawCompare, setUpCompare } from "../compare.js";
 
-const CHOOSING = [drawLoads, drawParallel, drawScatter, drawAngles, drawResponse];
+const CHOOSING = [drawLoads, drawFront, drawParallel, drawScatter, drawAngles, drawResponse];
 const ALL = [drawSearch, ...CHOOSING, drawEffects, drawHistory];
 let data = null;
 
@@ -19,7 +20,7 @@ const waiting = new Map();
 
 function place(draw) { return document.getElementById(PLACES.get(draw)); }
 
-const PLACES = new Map([[drawSearch, "chart-search"], [drawLoads, "chart-loads"], [drawParallel, "chart-parallel"],
+const PLACES = new Map([[drawSearch, "chart-search"], [drawLoads, "chart-loads"], [drawFront, "chart-front"], [drawParallel, "chart-parallel"],
   [drawScatter, "chart-scatter"], [drawAngles, "chart-angles"], [drawResponse, "chart-response"],
   [drawEffects, "chart-effects"], [drawHistory, "chart-history"]]);
 

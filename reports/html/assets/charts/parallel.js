@@ -7,6 +7,8 @@ const HEIGHT = 300, TOP = 34, BOTTOM = 30, SIDE = 60;
 function axes(data) {
   const designs = measured(data), unit = data.unit;
   const list = variables(designs).filter(({ key }) => key.startsWith("/"));
+  if (data.second)
+    list.push({ key: "second", title: `${data.second.words}${data.second.unit ? `, ${data.second.unit}` : ""}`, of: (d) => (isNumber(d.second) ? d.second / data.second.size : null) });
   list.push({ key: "load", title: `load, ${unit.name}`, of: (d) => loadOf(d) / unit.newtons });
   return list.map((axis) => {
     const values = designs.map(axis.of).filter(isNumber);

@@ -1,4 +1,4 @@
-#include "reports/content/response_fit.h"
+#include "study/effects/response_fit.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@ namespace icebow {
 namespace {
 
 // Loads 1e6 + 2e5 a + 1e5 b^2 over a and b of -1 ... 1, with noise of standard deviation `noise`.
-StudyResults sweep(int designs, double noise) {
+Ranking sweep(int designs, double noise) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> even(-1.0, 1.0);
   std::normal_distribution<double> gauss;
@@ -23,9 +23,7 @@ StudyResults sweep(int designs, double noise) {
     e.result = {{"metrics", {{"full_scale", {{"mean_load_N", load}, {"mean_load_ci95_N", 1e3}}}}}};
     all.push_back(e);
   }
-  StudyResults study;
-  study.ranking = rank_designs(all, "mean_load");
-  return study;
+  return rank_designs(all, "mean_load");
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ StudyResults sweep(int designs, double noise) {
 TEST_CASE("a fit finds what was put in, and how far it errs") {
   const ResponseFit fit = fit_response(sweep(60, 1e4));
   REQUIRE(fit.told());
-  CHECK(fit.quadratic);
+  CHECK(fit.terms == FitTerms::squares);
   REQUIRE(fit.effects.size() == 2);  // a parameter that never changes has no effect
   const Effect& a = fit.effects[0];
   CHECK(a.pointer == "/bow/a_deg");
@@ -48,8 +46,9 @@ TEST_CASE("a fit finds what was put in, and how far it errs") {
 }
 
 TEST_CASE("no fit where there are too few designs, or nothing but noise") {
-  CHECK_FALSE(fit_response(sweep(5, 1e3)).told());
-  CHECK_FALSE(fit_response(sweep(14, 1e8)).told());
+  CHECK(fit_response(sweep(5, 1e3)).why ==
+        "5 ranked designs are too few for 2 parameters: it takes 6 or more");
+  CHECK_THAT(fit_response(sweep(14, 1e8)).why, Catch::Contains("better than the mean does"));
 }
 
 }  // namespace icebow

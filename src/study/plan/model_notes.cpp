@@ -1,4 +1,4 @@
-#include "study/spec/model_notes.h"
+#include "study/plan/model_notes.h"
 
 #include <cmath>
 
