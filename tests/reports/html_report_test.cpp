@@ -72,9 +72,9 @@ TEST_CASE("two objectives: the front stands in the page as a list and as the cha
   const Json data = data_of(html);
   CHECK(data.at("second").at("unit") == "t");
   CHECK(design_of(data, "Thyssen-Waas").at("front") == "front");  // the lowest load
-  CHECK(design_of(data, "blunt").at("front") == "dominated");     // the highest, by far
-  CHECK(design_of(data, "steep stem").at("front") == "front");    // the largest displacement
-  CHECK_FALSE(holds(sample_html(), "chart-front"));
+  CHECK(design_of(data, "blunt").at("front") == "open");        // the one larger bow has no surely lower load
+  CHECK(design_of(data, "steep stem").at("front") == "front");  // the largest displacement
+  CHECK_FALSE(holds(sample_html(), "id=\"chart-front\""));
 }
 
 TEST_CASE("the page needs nothing from outside") {

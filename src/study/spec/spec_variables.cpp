@@ -95,6 +95,7 @@ class VariableReader {
   bool is_choice() const { return target_.key->quantity == Quantity::choice; }
 
   void check_keys(const Json& range) {
+    if (is_choice() && !is_one_of(type_.variable_keys, "values")) return;  // read_words says it
     for (const auto& item : range.items()) {
       if (is_one_of(type_.variable_keys, item.key())) continue;
       const bool other_method = is_one_of({"min", "max", "levels", "values"}, item.key());
@@ -152,9 +153,11 @@ class VariableReader {
     if (!words.is_array() || words.empty() || range.size() != 1)
       return mistake("/values", "is " + shown(words) + ", must be a list of one or more of " +
                                     listed(key.choices) + ", and nothing beside it");
+    bool known = true;
     for (std::size_t k = 0; k < words.size(); ++k) {
       const std::string at = "/values/" + std::to_string(k);
       const std::string word = words[k].is_string() ? words[k].get<std::string>() : "";
+      known = known && is_one_of(key.choices, word);
       if (!is_one_of(key.choices, word))
         mistake(at, "is " + shown(words[k]) + ", must be one of " + listed(key.choices) +
                         did_you_mean(word, key.choices));
@@ -164,7 +167,7 @@ class VariableReader {
     }
     variable_.upper = variable_.values.back();
     const Json& own = document_.at(Json::json_pointer(variable_.pointer));
-    if (!own.is_string() || !is_one_of(variable_.words, own.get<std::string>()))
+    if (known && (!own.is_string() || !is_one_of(variable_.words, own.get<std::string>())))
       mistake("/values", "do not hold " + shown(own) + ", which the file has: add it");
   }
 
