@@ -45,6 +45,31 @@ ClosestPoint HullDistance::closest(const Vec3& p) const {
   return oriented(surface_, nearest.triangle, nearest.at, p);
 }
 
+// A slot near a point, or -1.
+int HullDistance::seed(const Vec3& p) const {
+  const Eigen::Vector3f f = p.cast<float>();
+  const std::int32_t kind = cells_.kind_at(f.x(), f.y(), f.z());
+  if (kind < 0) return ~kind;
+  if (kind == 0 || cells_.surface[kind - 1].count == 0) return -1;
+  return cells_.candidates[cells_.surface[kind - 1].first].slot;
+}
+
+// A point that moves by w is nearer to one triangle by w at most, and further from another by w at most.
+ClosestPoint HullDistance::closest(const Vec3& p, Known& known) const {
+  constexpr double rounding = 1.0 - 1e-5;
+  if (known.rest <= 0.0F) {
+    double second = 0.0;
+    const NearestTriangle nearest = tree_.closest_two(p, seed(p), second);
+    const double gap = 0.5 * rounding * (std::sqrt(second) - std::sqrt(nearest.at.squared_distance));
+    const float cell = cells_.grid.size;
+    // On an edge both of its triangles are as near.
+    known = gap > 0.01 * cell ? Known{nearest.slot, static_cast<float>(gap)} : Known{-1, 0.1F * cell};
+    return oriented(surface_, nearest.triangle, nearest.at, p);
+  }
+  if (known.slot < 0) return closest(p);
+  return oriented(surface_, tree_.triangle(known.slot), tree_.closest_of(known.slot, p), p);
+}
+
 void HullDistance::find_inside(const float* x, const float* y, const float* z, std::size_t n,
                                const Vec3& hull_origin, std::vector<InsidePoint>& found) const {
   constexpr std::size_t block = 256;

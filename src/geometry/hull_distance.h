@@ -64,6 +64,15 @@ class HullDistance {
   // hull.
   ClosestPoint closest(const Vec3& p) const;
 
+  // What a search for a point that moves has found: the nearest triangle's slot, and how far the point may
+  // move until another may be nearer [m]. No slot: how far until that is worth looking for.
+  struct Known {
+    int slot = -1;
+    float rest = 0.0F;
+  };
+  // The same to the bit. Callers subtract from `rest` what the point has moved since the last call.
+  ClosestPoint closest(const Vec3& p, Known& known) const;
+
   // Appends those of n points (minus the hull's origin) in the region with a negative signed distance, in
   // order.
   void find_inside(const float* x, const float* y, const float* z, std::size_t n, const Vec3& hull_origin,
@@ -74,6 +83,8 @@ class HullDistance {
   std::size_t bytes() const { return surface_.bytes() + tree_.bytes() + cells_.bytes(); }
 
  private:
+  int seed(const Vec3& p) const;
+
   TriangleSurface surface_;
   TriangleTree tree_;
   HullCells cells_;

@@ -184,6 +184,33 @@ TEST_CASE("Hull distance: from inside a concave edge the way out is the diagonal
   CHECK(hull.closest({1.05, 1.05, 0.2}).signed_distance == Approx(0.05));
 }
 
+TEST_CASE("Hull distance: a point that moves is told the same with and without what is known of it") {
+  int searched = 0, asked = 0;
+  for (const QuadMesh& mesh : {shapes::box({-1, -2, -3}, {1, 2, 3}, {2, 3, 4}),
+                               shapes::hull(6.0, 0.92, 0.54, 2000), wedge(0.1, 5)}) {
+    const Box region = grown(bounding_box(mesh), 0.05);
+    const HullDistance hull(mesh, region);
+    const std::vector<Vec3> from = random_points(region, 60, 13), to = random_points(region, 60, 14);
+    for (std::size_t n = 0; n < from.size(); ++n) {
+      HullDistance::Known known;
+      Vec3 before = from[n];
+      for (int step = 0; step <= 500; ++step) {
+        const Vec3 p = from[n] + step / 500.0 * 0.003 * (to[n] - from[n]);
+        known.rest -= static_cast<float>(1.001 * (p - before).norm());
+        before = p;
+        searched += known.rest <= 0.0F;
+        ++asked;
+        const ClosestPoint found = hull.closest(p, known), exact = hull.closest(p);
+        REQUIRE(found.signed_distance == exact.signed_distance);
+        REQUIRE(found.point == exact.point);
+        REQUIRE(found.normal == exact.normal);
+        REQUIRE(found.quad == exact.quad);
+      }
+    }
+  }
+  CHECK(searched < asked / 10);  // or nothing would be gained
+}
+
 TEST_CASE("Hull distance: points in batches are those found one by one") {
   const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
   Box region = bounding_box(mesh);

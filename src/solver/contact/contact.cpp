@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace icebow {
 namespace {
@@ -97,21 +98,25 @@ ClosestPoint HullContact::in_contact(const ClosestPoint& hit, const Vec3& positi
   return {distance, position - distance * met.normal, met.normal, face - 1};
 }
 
-// What the drift has used up of the row's clearances.
+// The drift of a row's blocks.
 template <class Real>
 void HullContact::approach(const IceSheet& sheet, int jl, int k) {
   const Layout& layout = sheet.layout;
   constexpr Real rounding = Real(1.001);
   const Real* const travelled2 = sheet.travelled2<Real>(jl, k);
-  float* const clearance = &clearance_[(std::size_t(jl) * layout.nz + k) * layout.blocks];
+  Watch* const watch = &blocks_[(std::size_t(jl) * layout.nz + k) * layout.blocks];
   for (int b = 0; b < layout.blocks; ++b)
-    clearance[b] -= static_cast<float>(rounding * std::sqrt(travelled2[b]));
+    watch[b].moved += static_cast<float>(rounding * std::sqrt(travelled2[b]));
 }
 
 int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactImpulse& impulse,
                        ContactLedger& ledger) {
   const Layout& layout = sheet.layout;
-  clearance_.resize(std::size_t(layout.columns) * layout.nz * layout.blocks, 0.0F);
+  if (blocks_.empty()) {
+    blocks_.assign(std::size_t(layout.columns) * layout.nz * layout.blocks, Watch{});
+    particles_.assign(blocks_.size() * block, {far, 0.0F});
+  }
+  const Pass pass{sheet, hull_x, impulse, ledger};
   int contacts = 0;
   for (int jl = jl0; jl < jl1; ++jl) {
     for (int k = 0; k < layout.nz; ++k) {
@@ -120,22 +125,9 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
       } else {
         approach<float>(sheet, jl, k);
       }
-      const std::size_t row = layout.row(jl, k);
-      const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
-      for (int b = 0; b < layout.blocks; ++b) {
-        float& clearance = clearance_[(std::size_t(jl) * layout.nz + k) * layout.blocks + b];
-        if (clearance > 0.0F) continue;
-        clearance = std::numeric_limits<float>::max();
-        for (int l = b * block; l < (b + 1) * block; ++l) {
-          const std::size_t p = row + l;
-          if (!sheet.mobile(jl, l) || settings_.crushing.used_up(sheet.crushed_depth[p])) continue;
-          const Vec3 position(sheet.lattice.x(layout.i0 + l) + sheet.u[0][p] - hull_x, y + sheet.u[1][p],
-                              z + sheet.u[2][p]);
-          const HullDistance::Outlook outlook = distance_.outlook(position);
-          clearance = std::min(clearance, outlook.clearance);
-          if (outlook.may_be_inside) contacts += touch(sheet, p, position, z, impulse, ledger);
-        }
-      }
+      const Watch* const watch = &blocks_[(std::size_t(jl) * layout.nz + k) * layout.blocks];
+      for (int b = 0; b < layout.blocks; ++b)
+        if (!(watch[b].moved < watch[b].least)) contacts += look_at(pass, jl, k, b);
     }
   }
   return contacts;
@@ -147,13 +139,53 @@ std::vector<std::int64_t> HullContact::take_face_impulse() {
   return taken;
 }
 
+// The particles of a block of which too little is known. Returns how many touch the hull.
+int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
+  constexpr float ever = std::numeric_limits<float>::max();
+  const IceSheet& sheet = pass.sheet;
+  const Layout& layout = sheet.layout;
+  const std::size_t number = (std::size_t(jl) * layout.nz + k) * layout.blocks + b,
+                    row = layout.row(jl, k) + std::size_t(b) * block;
+  const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
+  Watch& watch = blocks_[number];
+  HullDistance::Known* const known = &particles_[number * block];
+  const float moved = std::exchange(watch.moved, 0.0F);
+  watch.least = ever;
+  int contacts = 0;
+  for (int l = 0; l < block; ++l) {
+    HullDistance::Known& particle = known[l];
+    particle.rest -= moved;
+    if (particle.slot == far && particle.rest > 0.0F) {
+      watch.least = std::min(watch.least, particle.rest);
+      continue;
+    }
+    const std::size_t p = row + l;
+    if (!sheet.mobile(jl, b * block + l) || settings_.crushing.used_up(sheet.crushed_depth[p])) {
+      particle = {far, ever};
+      continue;
+    }
+    const double x = sheet.lattice.x(layout.i0 + b * block + l);
+    const Vec3 position(x + sheet.u[0][p] - pass.hull_x, y + sheet.u[1][p], z + sheet.u[2][p]);
+    const HullDistance::Outlook outlook = distance_.outlook(position);
+    watch.least = std::min(watch.least, outlook.clearance);
+    if (!outlook.may_be_inside) {
+      particle = {far, outlook.clearance};
+      continue;
+    }
+    if (particle.slot == far) particle = {};
+    contacts += touch(pass, p, position, z, particle);
+  }
+  return contacts;
+}
+
 // Whether a particle that may be inside is, with what follows from it.
-bool HullContact::touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
-                        ContactLedger& ledger) {
-  ClosestPoint hit = distance_.closest(position);
+bool HullContact::touch(const Pass& pass, std::size_t p, const Vec3& position, double z,
+                        HullDistance::Known& known) {
+  IceSheet& sheet = pass.sheet;
+  ClosestPoint hit = distance_.closest(position, known);
   if (hit.signed_distance >= 0.0) {
     if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
-    ledger.passed(p, z);
+    pass.ledger.passed(p, z);
     return false;
   }
   const Vec3 v_before(sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]);
@@ -171,17 +203,18 @@ bool HullContact::touch(IceSheet& sheet, std::size_t p, const Vec3& position, do
     sheet.v[c][p] = v_before[c] + r.delta_v[c];
     delta_v[c] = sheet.v[c][p] - v_before[c];
     if (r.push[c] == 0.0) continue;
+    known = {};
     const double u_before = sheet.u[c][p] + sheet.residual[c][p];
     sheet.u[c][p] = sheet.u[c][p] + r.push[c];
     sheet.residual[c][p] = 0.0;
     push[c] = sheet.u[c][p] - u_before;
   }
   const Vec3 on_hull = -settings_.particle_mass * delta_v;
-  impulse.add(on_hull, hit.point);
+  pass.impulse.add(on_hull, hit.point);
   if (!face_impulse_.empty())
     for (int c = 0; c < 3; ++c)
-      face_impulse_[3 * std::size_t(hit.quad) + c] += whole_multiples(on_hull[c], impulse.linear());
-  ledger.struck(p, z, v_before, delta_v, push);
+      face_impulse_[3 * std::size_t(hit.quad) + c] += whole_multiples(on_hull[c], pass.impulse.linear());
+  pass.ledger.struck(p, z, v_before, delta_v, push);
   return true;
 }
 

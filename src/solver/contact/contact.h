@@ -71,25 +71,39 @@ class HullContact {
   // where nobody watches.
   std::vector<std::int64_t> take_face_impulse();
   // The ice has been moved by something else than the drift, or renumbered: nothing is known of it any more.
-  void look_again() { clearance_.clear(); }
+  void look_again() { blocks_.clear(); }
 
  private:
   struct Plane {
     Vec3 point, normal;
   };
+  // What is known of a block of a row: how far its particles have moved in the hull's frame since they were
+  // looked at, and how far they may at most until one of them must be looked at again [m].
+  struct Watch {
+    float moved = 0.0F, least = 0.0F;
+  };
+  // A step's part of a pass.
+  struct Pass {
+    IceSheet& sheet;
+    double hull_x;
+    ExactImpulse& impulse;
+    ContactLedger& ledger;
+  };
   ClosestPoint in_contact(const ClosestPoint& hit, const Vec3& position, int& face) const;
   template <class Real>
   void approach(const IceSheet& sheet, int jl, int k);
-  bool touch(IceSheet& sheet, std::size_t p, const Vec3& position, double z, ExactImpulse& impulse,
-             ContactLedger& ledger);
+  int look_at(const Pass& pass, int jl, int k, int b);
+  bool touch(const Pass& pass, std::size_t p, const Vec3& position, double z, HullDistance::Known& known);
 
   std::vector<Plane> faces_;                // of the hull's quads
   std::vector<std::int64_t> face_impulse_;  // of take_face_impulse()
   HullDistance distance_;
   ContactSettings settings_;
-  // How far the particles of each own block of a row are from the hull, at least [m]: as they were seen when
-  // last looked at, less what they have travelled since. Only blocks without a rest are looked at.
-  std::vector<float> clearance_;  // [column][layer][block]
+  std::vector<Watch> blocks_;  // [column][layer][block]
+  // Of each of their particles: `far`, and how far it may move until it may be inside [m]; or what the search
+  // for the nearest triangle has found.
+  static constexpr int far = -2;
+  std::vector<HullDistance::Known> particles_;
 };
 
 }  // namespace icebow

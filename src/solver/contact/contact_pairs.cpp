@@ -14,8 +14,9 @@ void ContactPairs::find(const IceSheet& sheet) {
   const float within2 = static_cast<float>(within_ * within_);
   patches.for_each_meeting(within_, [&](const Patches::Patch& a, const Patches::Patch& b) {
     const Kind kind = patches.is_own(b) ? both : b.image ? mirrored : alone;
-    const int found = sheet.kernel.near_pairs(patches.places(a), patches.places(b), sheet.layout.nz, within2,
-                                              &a == &b, near.data());
+    const int found =
+        sheet.kernel.near_pairs({patches.places(a), a.lower, a.upper}, {patches.places(b), b.lower, b.upper},
+                                sheet.layout.nz, within2, &a == &b, near.data());
     for (int n = 0; n < found; ++n) {
       const auto [in_a, in_b] = near[n];
       if (!bonds.alive(patches.in_lattice(a, in_a), patches.in_lattice(b, in_b)))
@@ -106,16 +107,19 @@ void ContactPairs::place_own(const IceSheet& sheet) {
 void ContactPairs::refresh(const IceSheet& sheet) {
   if (sheet.precision == Precision::fp64) {
     place_own<double>(sheet);
+    if (shared_) exchange<double>(sheet);
   } else {
     place_own<float>(sheet);
+    if (shared_) exchange<float>(sheet);
   }
-  if (shared_) exchange(sheet);
 }
 
+template <class Real>
 void ContactPairs::exchange(const IceSheet& sheet) {
+  const Real* const all[3] = {sheet.v[0].data<Real>(), sheet.v[1].data<Real>(), sheet.v[2].data<Real>()};
   std::vector<double> lent;
   for (const int n : lent_) {
-    const Vec3 &x = position_[n], v = velocity(sheet, n);
+    const Vec3 &x = position_[n], v = velocity(all, n);
     lent.insert(lent.end(), {x.x(), x.y(), x.z(), v.x(), v.y(), v.z()});
   }
   // In rank order, as the patches are: `wanted` of all ranks, one after the other.

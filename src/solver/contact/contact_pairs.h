@@ -37,10 +37,12 @@ class ContactPairs {
   int own() const { return static_cast<int>(own_.size()); }
   std::size_t address(int n) const { return own_[n].address; }
   const Vec3& position(int n) const { return position_[n]; }
-  Vec3 velocity(const IceSheet& sheet, int n) const {
+  // v: the sheet's velocities.
+  template <class Real>
+  Vec3 velocity(const Real* const (&v)[3], int n) const {
     if (n >= own()) return borrowed_velocity_[n - own()];
     const std::size_t p = own_[n].address;
-    return {sheet.v[0][p], sheet.v[1][p], sheet.v[2][p]};
+    return {v[0][p], v[1][p], v[2][p]};
   }
 
  private:
@@ -53,6 +55,7 @@ class ContactPairs {
   void number_own(const IceSheet& sheet, const Patches& patches, std::vector<int>& place);
   template <class Real>
   void place_own(const IceSheet& sheet);
+  template <class Real>
   void exchange(const IceSheet& sheet);
 
   Communicator comm_;

@@ -27,20 +27,6 @@ Vec3 push_at(std::size_t p, const std::vector<HullStrike>& strikes) {
 
 }  // namespace
 
-Vec3 FloeContactLaw::force(const Vec3& away, const Vec3& velocity) const {
-  const double r = away.norm(), overlap = distance - r;
-  if (overlap <= 0.0 || r == 0.0) return Vec3::Zero();
-  const Vec3 n = away / r;
-  const double approach = velocity.dot(n);
-  // What is no number counts as none.
-  const double pressed = std::min(std::max(0.0, stiffness * overlap - damping * approach), strongest);
-  if (pressed == 0.0) return Vec3::Zero();
-  const Vec3 sliding = velocity - approach * n;
-  const double speed = sliding.norm();
-  if (friction == 0.0 || speed == 0.0) return -pressed * n;
-  return -pressed * n + std::min(friction * pressed / speed, creep_share * damping) * sliding;
-}
-
 FloeContactLaw floe_contact_law(const Scenario& s, const Material& material) {
   const double dx = s.numerics.dx;
   FloeContactLaw law;
@@ -51,6 +37,7 @@ FloeContactLaw floe_contact_law(const Scenario& s, const Material& material) {
   const double pressure = s.ice.crushing_pressure > 0.0 ? s.ice.crushing_pressure : s.ice.E * material.s0;
   law.strongest = pressure * dx * dx;
   law.friction = s.numerics.floe_friction;
+  law.creep = creep_share * law.damping;
   return law;
 }
 
@@ -66,22 +53,61 @@ void FloeContact::find_pairs(const IceSheet& sheet) {
   if (acts_) pairs_.find(sheet);
 }
 
+// Of the pairs those that touch, and how; filled up with pairs at no distance, between which nothing acts.
+int FloeContact::find_touching() {
+  const std::vector<ContactPairs::Pair>& pairs = pairs_.all();
+  const std::size_t room = pairs.size() + floe_pairs_at_once;
+  touching_.resize(room);
+  for (int c = 0; c < 3; ++c) {
+    away_[c].resize(room);
+    velocity_[c].resize(room);
+    force_[c].resize(room);
+  }
+  const double distance2 = law_.distance * law_.distance;
+  int n = 0;
+  for (std::size_t at = 0; at < pairs.size(); ++at) {
+    const Vec3 &one = pairs_.position(pairs[at].first), &other = pairs_.position(pairs[at].second);
+    const double side = pairs[at].kind == ContactPairs::mirrored ? -1.0 : 1.0;
+    const double x = other.x() - one.x(), y = side * other.y() - one.y(), z = other.z() - one.z();
+    touching_[n] = static_cast<int>(at);
+    away_[0][n] = x;
+    away_[1][n] = y;
+    away_[2][n] = z;
+    // Without a branch, which no processor could foresee.
+    n += x * x + y * y + z * z < distance2 ? 1 : 0;
+  }
+  for (int c = 0; c < 3; ++c) {
+    std::fill_n(&away_[c][n], floe_pairs_at_once, 0.0);
+    std::fill_n(&velocity_[c][n], floe_pairs_at_once, 0.0);
+  }
+  return n;
+}
+
 // In whole quanta: the same whichever pair comes first.
+template <class Real>
 void FloeContact::add_forces(const IceSheet& sheet) {
+  const int n = find_touching();
+  const Real* const v[3] = {sheet.v[0].data<Real>(), sheet.v[1].data<Real>(), sheet.v[2].data<Real>()};
+  for (int at = 0; at < n; ++at) {
+    const ContactPairs::Pair& pair = pairs_.all()[touching_[at]];
+    const Vec3 one = pairs_.velocity(v, pair.first), other = pairs_.velocity(v, pair.second);
+    velocity_[0][at] = other.x() - one.x();
+    velocity_[1][at] = (pair.kind == ContactPairs::mirrored ? -other.y() : other.y()) - one.y();
+    velocity_[2][at] = other.z() - one.z();
+  }
+  const int whole = (n + floe_pairs_at_once - 1) / floe_pairs_at_once * floe_pairs_at_once;
+  sheet.kernel.floe_forces(law_,
+                           {whole,
+                            {away_[0].data(), away_[1].data(), away_[2].data()},
+                            {velocity_[0].data(), velocity_[1].data(), velocity_[2].data()},
+                            {force_[0].data(), force_[1].data(), force_[2].data()}},
+                           1.0 / quantum_);
   forces_.assign(pairs_.own(), Force{});
-  const double per_quantum = 1.0 / quantum_;
-  for (const ContactPairs::Pair& pair : pairs_.all()) {
-    Vec3 other = pairs_.position(pair.second);
-    if (pair.kind == ContactPairs::mirrored) other.y() = -other.y();
-    const Vec3 away = other - pairs_.position(pair.first);
-    if (!(away.squaredNorm() < law_.distance * law_.distance)) continue;
-    Vec3 velocity = pairs_.velocity(sheet, pair.second);
-    if (pair.kind == ContactPairs::mirrored) velocity.y() = -velocity.y();
-    const Vec3 force = law_.force(away, velocity - pairs_.velocity(sheet, pair.first)) * per_quantum;
+  for (int at = 0; at < n; ++at) {
+    const ContactPairs::Pair& pair = pairs_.all()[touching_[at]];
     for (int c = 0; c < 3; ++c) {
-      const std::int64_t quanta = std::llrint(force[c]);
-      forces_[pair.first][c] += quanta;
-      if (pair.kind == ContactPairs::both) forces_[pair.second][c] -= quanta;
+      forces_[pair.first][c] += force_[c][at];
+      if (pair.kind == ContactPairs::both) forces_[pair.second][c] -= force_[c][at];
     }
   }
 }
@@ -90,7 +116,7 @@ void FloeContact::add_forces(const IceSheet& sheet) {
 template <class Real>
 double FloeContact::push(IceSheet& sheet, int n, const Vec3& force) const {
   const std::size_t p = pairs_.address(n);
-  const Vec3 by_contact = force / model_.mass;
+  const Vec3 by_contact = force * (1.0 / model_.mass);
   Vec3 acceleration, velocity;
   for (int c = 0; c < 3; ++c) {
     Real& a = sheet.acceleration[c].data<Real>()[p];
@@ -102,12 +128,11 @@ double FloeContact::push(IceSheet& sheet, int n, const Vec3& force) const {
   return force.dot(velocity + 0.5 * model_.dt * acceleration) * model_.dt;
 }
 
-FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
-  pairs_.refresh(sheet);
-  add_forces(sheet);
+template <class Real>
+FloeWork FloeContact::push_all(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
+  add_forces<Real>(sheet);
   const bool relocated =
       std::any_of(strikes.begin(), strikes.end(), [](const HullStrike& s) { return s.push != Vec3::Zero(); });
-  const bool fp64 = sheet.precision == Precision::fp64;
   FloeWork work;
   double joules = 0.0;  // of the block at hand: blocks are whole on every rank
   std::size_t at = 0;
@@ -121,11 +146,17 @@ FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& stri
       at = p / block;
     }
     const Vec3 force = quantum_ * Vec3(double(quanta[0]), double(quanta[1]), double(quanta[2]));
-    joules += fp64 ? push<double>(sheet, n, force) : push<float>(sheet, n, force);
+    joules += push<Real>(sheet, n, force);
     if (relocated) work.by_hull -= model_.quanta(force.dot(push_at(p, strikes)));
   }
   work.taken += work.by_hull - model_.quanta(joules);
   return work;
+}
+
+FloeWork FloeContact::apply(IceSheet& sheet, const std::vector<HullStrike>& strikes) {
+  pairs_.refresh(sheet);
+  return sheet.precision == Precision::fp64 ? push_all<double>(sheet, strikes)
+                                            : push_all<float>(sheet, strikes);
 }
 
 }  // namespace icebow

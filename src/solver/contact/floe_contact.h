@@ -22,18 +22,6 @@ namespace icebow {
 
 constexpr int pairs_every = 40;  // steps
 
-// What one particle does to another, SI.
-struct FloeContactLaw {
-  double distance = 0.0;   //!< below which they touch [m]
-  double stiffness = 0.0;  //!< [N/m]
-  double damping = 0.0;    //!< [N s/m]
-  double strongest = 0.0;  //!< the ice is crushed at this force [N]
-  double friction = 0.0;   // Coulomb coefficient
-
-  // Force on the one from which the other lies `away` [m], the other moving at `velocity` relative to it
-  // [m/s].
-  Vec3 force(const Vec3& away, const Vec3& velocity) const;
-};
 FloeContactLaw floe_contact_law(const Scenario& scenario, const Material& material);
 
 // In quanta of the energy model.
@@ -56,16 +44,25 @@ class FloeContact {
 
  private:
   using Force = std::array<std::int64_t, 3>;  // in quanta
+  int find_touching();
+  template <class Real>
   void add_forces(const IceSheet& sheet);
   template <class Real>
   double push(IceSheet& sheet, int n, const Vec3& force) const;
+  template <class Real>
+  FloeWork push_all(IceSheet& sheet, const std::vector<HullStrike>& strikes);
 
   bool acts_;
   FloeContactLaw law_;
   double quantum_;  //!< [N]
   EnergyModel model_;
   ContactPairs pairs_;
-  std::vector<Force> forces_;  // on the own particles of the pairs, in the step under way
+  // Of the step under way: forces on the own particles of the pairs; of the pairs that touch their number,
+  // and what FloeTouches lists.
+  std::vector<Force> forces_;
+  std::vector<int> touching_;
+  std::vector<double> away_[3], velocity_[3];
+  std::vector<std::int64_t> force_[3];
 };
 
 }  // namespace icebow

@@ -97,15 +97,17 @@ template <class Real>
 IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& material) const {
   const BondTableOptions options{s.numerics.surface_correction, s.ice.rho};
   const double linear_below = std::min(s.numerics.linear_below, linear_stretch * material.s0);
-  Work<Real> work{make_bond_law<Real>(material),
+  const BondLaw<Real> law = make_bond_law<Real>(material);
+  Work<Real> work{law,
                   BondTables<Real>(lattice, layout, stencil, material, options),
                   Families<Real>(lattice, layout, stencil, material, options),
+                  CalmTables<Real>(lattice, layout, stencil, material, options, law),
                   CrushWatch<Real>(layout),
                   {},
                   {},
                   {},
-                  {},
                   std::vector<Real>(std::size_t(layout.columns) * layout.nz * layout.blocks),
+                  std::vector<Real>(std::size_t(layout.columns) * layout.blocks * block),
                   LinearTables<Real>(lattice, layout, stencil, material, options),
                   LinearBlocks<Real>(lattice, layout, linear_below),
                   std::vector<std::uint8_t>(layout.blocks),
@@ -127,6 +129,7 @@ bool IceSheet::held(int i, int j) const {
 std::size_t IceSheet::bytes() const {
   return 14 * theta.element_size() * layout.size + bits.bytes() + state_.size() +
          (state_.size() / (layout.blocks + 2)) * layout.blocks * theta.element_size() +
+         std::size_t(layout.columns) * layout.blocks * block * theta.element_size() +
          there_.size() * sizeof there_[0];
 }
 
@@ -140,7 +143,7 @@ RowFields<Real> IceSheet::fields(const Work<Real>& work, int jl, int k, const st
           at(theta),
           bits.row(jl, k),
           bits.per_block(),
-          families_there(jl, k),
+          bonds_there(jl),
           bonds_there_,
           layout.blocks,
           state(jl, k),
@@ -177,27 +180,24 @@ void IceSheet::drift(const DriftSettings& settings, int jl0, int jl1) {
 template <class Real>
 void IceSheet::select_column(Work<Real>& work, int jl, const std::uint8_t* crush) {
   work.fields.clear();
-  work.row_tables.clear();
-  for (int k = 0; k < layout.nz; ++k) {
-    work.fields.push_back(fields(work, jl, k, crush));
-    work.row_tables.push_back(work.families.row(jl, k));
-  }
+  for (int k = 0; k < layout.nz; ++k) work.fields.push_back(fields(work, jl, k, crush));
 }
 
 void IceSheet::find_cracks() {
   const auto find = [this](auto& work) {
-    bonds_there_ = work.families.most_bonds();
-    there_.resize(std::size_t(layout.columns) * layout.nz * layout.blocks * bonds_there_);
+    bonds_there_ = 0;
+    for (const auto& family : stencil.family) bonds_there_ += static_cast<int>(family.size());
+    there_.assign(std::size_t(layout.columns) * layout.blocks * bonds_there_, 0);
     for (int row = 0; row < layout.columns * layout.nz; ++row) {
       const int jl = row / layout.nz, k = row % layout.nz;
-      const auto family = work.families.row(jl, k);
+      const auto& family = work.families.column(jl)[k];
       for (int b = 0; b < layout.blocks; ++b) {
         const std::uint16_t* const words = bits.row(jl, k) + std::ptrdiff_t(b) * bits.per_block();
-        std::uint16_t* const there = families_there(jl, k) + std::ptrdiff_t(b) * bonds_there_;
+        std::uint16_t* const there = bonds_there(jl) + std::ptrdiff_t(b) * bonds_there_;
         bool missing = false;
         for (int n = 0; n < family.bonds; ++n) {
           const unsigned now = alive(words + family.word[n].word, bits.per_block(), family.word[n].shift);
-          there[n] = static_cast<std::uint16_t>(now);
+          there[family.word[n].place] = static_cast<std::uint16_t>(now);
           missing |= now != (family.whole[b] ? family.whole[b][n] : 0xffffu);
         }
         std::uint8_t& s = state(jl, k)[b];
@@ -221,6 +221,12 @@ LinearFields<Real> IceSheet::linear_fields(int jl) {
 }
 
 template <class Real>
+ColumnFields<Real> IceSheet::column_fields(Work<Real>& work, int jl) {
+  return {linear_fields<Real>(jl), layout.nz <= most_linear_layers ? work.calm.of(jl) : nullptr,
+          &work.strain[std::size_t(jl) * layout.blocks * block]};
+}
+
+template <class Real>
 typename LinearBlocks<Real>::Ice IceSheet::ice(int jl, const std::uint8_t* crush) {
   return {kernel.passes<Real>(), linear_fields<Real>(0), state(jl, 0), layout.blocks + 2, crush};
 }
@@ -236,7 +242,8 @@ Broken IceSheet::dilate_column(Work<Real>& work, int jl) {
       work.crushed.near(passes, extra_strength.data<Real>() + layout.row(0, 0), jl);
   if (work.linear.enabled()) work.linear.settle(ice<Real>(jl, crush), jl);
   select_column(work, jl, crush);
-  const Broken broken = passes.dilatation(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+  const Broken broken = passes.dilatation(column_fields(work, jl), work.fields.data(),
+                                          work.families.column(jl), layout.nz, work.law);
   if (!work.linear.enabled()) return broken;
   const LinearPasses<Real>& linear = passes.linear[layout.nz - 1];
   for (int b = 0; b < layout.blocks; ++b) {
@@ -251,15 +258,16 @@ template <class Real>
 Broken IceSheet::force_column(Work<Real>& work, int jl) {
   const Passes<Real>& passes = passes_of(work);
   select_column(work, jl, work.none.data());
-  Broken broken = passes.force(work.fields.data(), work.row_tables.data(), layout.nz, work.law);
+  const ColumnFields<Real> column = column_fields(work, jl);
+  const FamilyTables<Real>* const families = work.families.column(jl);
+  Broken broken = passes.force(column, work.fields.data(), families, layout.nz, work.law);
   if (!work.linear.enabled()) return broken;
   const LinearPasses<Real>& linear = passes.linear[layout.nz - 1];
   for (int b = 0; b < layout.blocks; ++b) {
     if (!work.linear.linear(jl)[b]) continue;
     const auto run = work.linear_tables.is_end(b) ? linear.force_at_end : linear.force;
     if (run(linear_fields<Real>(jl), work.linear_tables.of(jl, b), b) <= work.safe_theta) continue;
-    const Broken more =
-        passes.look_closer(work.fields.data(), work.row_tables.data(), layout.nz, work.law, b);
+    const Broken more = passes.look_closer(column, work.fields.data(), families, layout.nz, work.law, b);
     broken.own += more.own;
     broken.image += more.image;
   }

@@ -8,6 +8,7 @@
 
 #include "base/communicator.h"
 #include "solver/kernel/bond_tables.h"
+#include "solver/kernel/calm_columns.h"
 #include "solver/kernel/crush_watch.h"
 #include "solver/kernel/families.h"
 #include "solver/kernel/kernel.h"
@@ -146,11 +147,12 @@ class IceSheet {
     BondLaw<Real> law;
     BondTables<Real> tables;
     Families<Real> families;
+    CalmTables<Real> calm;
     CrushWatch<Real> crushed;
-    std::vector<RowFields<Real>> fields;         // of the current column, by layer
-    std::vector<FamilyTables<Real>> row_tables;  // likewise
+    std::vector<RowFields<Real>> fields;  // of the current column, by layer
     std::vector<Real> mobile_x, nothing_mobile;
     std::vector<Real> travelled2;  // DriftRow, [column][layer][block]
+    std::vector<Real> strain;      // ColumnFields, [column][block][16]
     LinearTables<Real> linear_tables;
     LinearBlocks<Real> linear;
     std::vector<std::uint8_t> none;  // [block]: 0
@@ -167,6 +169,8 @@ class IceSheet {
   RowFields<Real> fields(const Work<Real>& work, int jl, int k, const std::uint8_t* crush);
   template <class Real>
   LinearFields<Real> linear_fields(int jl);
+  template <class Real>
+  ColumnFields<Real> column_fields(Work<Real>& work, int jl);
   template <class Real>
   typename LinearBlocks<Real>::Ice ice(int jl, const std::uint8_t* crush);
   template <class Real>
@@ -187,11 +191,9 @@ class IceSheet {
 
   bool sides_held_, far_end_held_;
   std::variant<Work<float>, Work<double>> work_;
-  std::uint16_t* families_there(int jl, int k) {
-    return &there_[(std::size_t(jl) * layout.nz + k) * layout.blocks * bonds_there_];
-  }
+  std::uint16_t* bonds_there(int jl) { return &there_[std::size_t(jl) * layout.blocks * bonds_there_]; }
 
-  std::vector<std::uint16_t> there_;  // RowFields::there of the own rows
+  std::vector<std::uint16_t> there_;  // RowFields::there of the own columns
   int bonds_there_ = 0;               // of a block
   std::vector<std::uint8_t> state_;   // ghost rows and blocks included
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <tuple>
 
+#include "solver/kernel/calm_columns.h"
+
 namespace icebow {
 
 template <class Real>
@@ -11,7 +13,11 @@ class Families<Real>::Builder {
  public:
   Builder(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
           const BondTableOptions& options)
-      : lattice_(lattice), layout_(layout), stencil_(stencil), weights_(lattice, stencil, material, options) {
+      : lattice_(lattice),
+        layout_(layout),
+        stencil_(stencil),
+        places_(column_places(layout, stencil)),
+        weights_(lattice, stencil, material, options) {
     for (int k = 0; k < lattice.nz; ++k) {
       for (int s = 0; s < stencil.slots(k); ++s) {
         const Offset& o = stencil.half[k][s];
@@ -78,6 +84,7 @@ class Families<Real>::Builder {
     fw.shift = block + di;
     fw.own = jl + dj >= 0;
     fw.image = lattice_.half && layout_.j0 + jl + dj < 0;
+    fw.place = places_.at({k, o.di, o.dj, o.dk});
     return fw;
   }
 
@@ -108,6 +115,7 @@ class Families<Real>::Builder {
   const Lattice& lattice_;
   const Layout& layout_;
   const Stencil& stencil_;
+  const ColumnPlaces places_;
   BondWeights weights_;
   std::map<std::array<int, 4>, int> slot_;  // of a layer's bond upwards
 };
@@ -115,13 +123,16 @@ class Families<Real>::Builder {
 template <class Real>
 Families<Real>::Families(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
                          const Material& material, const BondTableOptions& options)
-    : ny_(lattice.ny), mirrored_columns_(lattice.mirrored_columns()), j0_(layout.j0) {
+    : ny_(lattice.ny), mirrored_columns_(lattice.mirrored_columns()), j0_(layout.j0), layers_(lattice.nz) {
   Builder builder(lattice, layout, stencil, material, options);
   for (int jl = 0; jl < layout.columns; ++jl) {
     for (int k = 0; k < lattice.nz; ++k) {
       const RowClass key = row_class(jl, k);
       if (!tables_.count(key)) tables_.emplace(key, builder.build(jl, k));
-      most_bonds_ = std::max(most_bonds_, static_cast<int>(tables_.at(key).bonds.size()));
+      const Tables& t = tables_.at(key);
+      rows_.push_back({static_cast<int>(t.rows.size()), static_cast<int>(t.bonds.size()), t.rows.data(),
+                       t.bonds.data(), t.words.data(), t.interior.data(), t.end_of.data(),
+                       t.whole_of.data()});
     }
   }
 }
@@ -131,19 +142,6 @@ typename Families<Real>::RowClass Families<Real>::row_class(int jl, int k) const
   const int j = j0_ + jl;
   return {std::min(jl, reach), std::min(j + mirrored_columns_, edge_influence),
           std::min(ny_ - 1 - j, edge_influence), k};
-}
-
-template <class Real>
-FamilyTables<Real> Families<Real>::row(int jl, int k) const {
-  const Tables& t = tables_.at(row_class(jl, k));
-  return {static_cast<int>(t.rows.size()),
-          static_cast<int>(t.bonds.size()),
-          t.rows.data(),
-          t.bonds.data(),
-          t.words.data(),
-          t.interior.data(),
-          t.end_of.data(),
-          t.whole_of.data()};
 }
 
 template class Families<float>;

@@ -19,9 +19,8 @@ class Families {
   Families(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
            const BondTableOptions& options);
 
-  // Of the row (jl, k) of this rank.
-  FamilyTables<Real> row(int jl, int k) const;
-  int most_bonds() const { return most_bonds_; }  // of a particle
+  // Of the rows of this rank's column jl, by layer.
+  const FamilyTables<Real>* column(int jl) const { return &rows_[std::size_t(jl) * layers_]; }
 
  private:
   // Rows whose distances to the port and starboard edges are equal (beyond twice the reach: both far) have
@@ -40,8 +39,9 @@ class Families {
   class Builder;
   RowClass row_class(int jl, int k) const;
 
-  int ny_, mirrored_columns_, j0_, most_bonds_ = 0;
+  int ny_, mirrored_columns_, j0_, layers_;
   std::map<RowClass, Tables> tables_;
+  std::vector<FamilyTables<Real>> rows_;  // [column][layer]
 };
 
 }  // namespace icebow

@@ -15,9 +15,12 @@
 //           whose ends follow different laws
 //   bent    |e| <= e_small: fits of a low degree
 //   wide    fits on [e_min, e_max]; beyond (a shortening of 10 %) they stay at their value there
-// A block is cracked where a bond of one of its particles is broken: only then, and near the ends of the
-// sheet, bond bits are looked at. Whether a bond breaks is asked once for a block, by the largest e or stress
-// of all its bonds; only where that is beyond the limit, bonds are looked at one by one, and the block is
+// All layers of a block follow the same one. Calm blocks are summed for all layers at once (calm_columns.h),
+// the others row by row.
+// A block is cracked where a bond of one of its particles is broken: only then, and near the edges of the
+// sheet, bond bits are looked at. Whether a bond breaks is asked once for a block: by its largest e; or by
+// what that and the largest theta around allow its stresses to be at most, and where these may be too high by
+// the largest stress. Only where that is beyond the limit, bonds are looked at one by one, and the block is
 // summed again.
 #pragma once
 
@@ -25,6 +28,7 @@
 #include <cstdint>
 #include <string>
 
+#include "solver/kernel/floe_forces.h"
 #include "solver/kernel/water_columns.h"
 #include "solver/lattice/stencil.h"
 
@@ -118,6 +122,7 @@ struct FamilyWord {
   std::ptrdiff_t word;  // from the block's words to those of the bond's lower ends in the same block
   int shift;        // of the words before, of and after that block, taken as one number: own bits come last
   bool own, image;  // the lower end is in a column of this rank's, or the mirror image of one
+  int place;        // of the bond among those of the column (calm_columns.h)
 };
 
 // Weights of a bond, those of G and H halved (BondLaw), in the order of use.
@@ -151,7 +156,8 @@ struct RowFields {
   Real* theta;                 // out, dilatation
   std::uint16_t* bits;         // [block][column slot]: alive bonds of 16 particles, each at its lower end
   int bits_per_block;          // column slots
-  std::uint16_t* there;        // [block][bond]: alive bonds of 16 particles' families, as the bits have them
+  // [block][place]: alive bonds of 16 particles of all layers, as the bits have them (calm_columns.h)
+  std::uint16_t* there;
   int there_per_block;
   int blocks;                  // owned ones
   std::uint8_t* state;         // [block]: BlockLaw and `cracked`
@@ -196,6 +202,16 @@ struct LinearFields {
 
 template <class Real>
 struct LinearWeights;
+template <class Real>
+struct CalmWeights;
+
+// What the passes know about a column besides its rows.
+template <class Real>
+struct ColumnFields {
+  LinearFields<Real> fields;
+  const CalmWeights<Real>* const* calm;  // [block]; no array: more layers than most_linear_layers
+  Real* strain;  // [block][16]: what e of the block's bonds is at most, vectors of the kernel's width
+};
 
 // Of block b of all layers.
 template <class Real>
@@ -218,13 +234,15 @@ template <class Real>
 struct Passes {
   // For the nz rows of a column: theta of all blocks that are not linear. Breaks bonds by their stretch, and
   // follows the blocks' states.
-  Broken (*dilatation)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&);
+  Broken (*dilatation)(const ColumnFields<Real>&, const RowFields<Real>*, const FamilyTables<Real>*, int nz,
+                       const BondLaw<Real>&);
   // Their acceleration. Breaks bonds by their stress.
-  Broken (*force)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&);
+  Broken (*force)(const ColumnFields<Real>&, const RowFields<Real>*, const FamilyTables<Real>*, int nz,
+                  const BondLaw<Real>&);
   // Of a column's block that has taken the linear passes, and in which bonds may be near their stress: breaks
   // those, and then does the block anew.
-  Broken (*look_closer)(const RowFields<Real>*, const FamilyTables<Real>*, int nz, const BondLaw<Real>&,
-                        int b);
+  Broken (*look_closer)(const ColumnFields<Real>&, const RowFields<Real>*, const FamilyTables<Real>*, int nz,
+                        const BondLaw<Real>&, int b);
   // Bits of the numbers below 0, 16 numbers a word.
   void (*negative)(const Real* numbers, int words, std::uint16_t* bits);
   // v += dt * (bonds + weight and lift); u += dt v.
@@ -238,12 +256,18 @@ struct Passes {
   LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]
   // Of block b and a bond's reach beyond it; has_next is 1 where a particle and the next along x exist, else
   // 0.
-  Roughness<Real> (*roughness)(const LinearFields<Real>&, int nz, int b, const Real* has_next);
+  // Where it is more than `limit` within the column, more may not be found.
+  Roughness<Real> (*roughness)(const LinearFields<Real>&, int nz, int b, const Real* has_next, Real limit);
 };
 
 // Two particles of two blocks: layer * block + lane.
 struct NearPair {
   std::uint16_t a, b;
+};
+// Particles of a block's columns: places by [layer][x, y, z][lane], and the box they lie in [m].
+struct NearBlock {
+  const float* places;
+  const float *lower, *upper;
 };
 
 struct Kernels {
@@ -251,10 +275,12 @@ struct Kernels {
   int vector_bytes;
   Passes<float> fp32;
   Passes<double> fp64;
-  // Particles of two blocks' columns, whose places are [layer][x, y, z][lane], of which the squared distance
-  // is less; each pair once where both are the same block. `out` has room for all pairs; returns how many
-  // there are.
-  int (*near_pairs)(const float* a, const float* b, int layers, float within2, bool same, NearPair* out);
+  // Particles of two blocks' columns of which the squared distance is less; each pair once where both are the
+  // same block. `out` has room for all pairs; returns how many there are.
+  int (*near_pairs)(const NearBlock& a, const NearBlock& b, int layers, float within2, bool same,
+                    NearPair* out);
+  // per_force: quanta of a newton; forces are less than 2^51 of them.
+  void (*floe_forces)(const FloeContactLaw&, const FloeTouches&, double per_force);
 
   template <class Real>
   const Passes<Real>& passes() const {

@@ -5,6 +5,6 @@
 namespace icebow {
 
 extern const Kernels kernels_avx2;
-const Kernels kernels_avx2{"avx2", 32, passes<float>(), passes<double>(), near_pairs};
+const Kernels kernels_avx2{"avx2", 32, passes<float>(), passes<double>(), near_pairs, floe_forces};
 
 }  // namespace icebow

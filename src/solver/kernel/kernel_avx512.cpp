@@ -5,6 +5,6 @@
 namespace icebow {
 
 extern const Kernels kernels_avx512;
-const Kernels kernels_avx512{"avx512", 64, passes<float>(), passes<double>(), near_pairs};
+const Kernels kernels_avx512{"avx512", 64, passes<float>(), passes<double>(), near_pairs, floe_forces};
 
 }  // namespace icebow

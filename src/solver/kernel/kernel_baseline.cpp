@@ -5,6 +5,6 @@
 namespace icebow {
 
 extern const Kernels kernels_baseline;
-const Kernels kernels_baseline{"baseline", 16, passes<float>(), passes<double>(), near_pairs};
+const Kernels kernels_baseline{"baseline", 16, passes<float>(), passes<double>(), near_pairs, floe_forces};
 
 }  // namespace icebow

@@ -3,11 +3,14 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "solver/kernel/calm_impl.h"
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/kernel_vector.h"
 #include "solver/kernel/linear_impl.h"
 #include "solver/kernel/near_impl.h"
 #include "solver/kernel/water_impl.h"
+// After the water, whose root it takes.
+#include "solver/kernel/floe_impl.h"
 
 namespace icebow {
 namespace {
@@ -83,12 +86,6 @@ inline __attribute__((always_inline)) void for_family(const FamilyTables<Real>& 
   }
 }
 
-// Bits of `lanes` particles within those of a block.
-template <int lanes>
-inline unsigned part_of(unsigned word, int lane0) {
-  return (word >> lane0) & ((1u << lanes) - 1u);
-}
-
 template <class Real>
 struct Extremes {
   typename Simd<Real>::V high = {}, low = {};
@@ -112,7 +109,7 @@ Extremes<Real> family_theta(const RowFields<Real>& f, const FamilyTables<Real>& 
     for_family<Real, per_lane>(
         t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, [[maybe_unused]] auto n) {
           V e = strain_at(row, fb, u, centre);
-          if constexpr (masked) e = S::keep_lanes(e, part_of<S::lanes>(there[n], lane0));
+          if constexpr (masked) e = S::keep_lanes(e, part_of<S::lanes>(there[t.word[n].place], lane0));
           const V w = S::template constant<per_lane>(weight, half_dilatation);
           if constexpr (which == calm && LawDegrees<Real>::calm == 0) {
             sum += w * e;
@@ -128,9 +125,8 @@ Extremes<Real> family_theta(const RowFields<Real>& f, const FamilyTables<Real>& 
   return extremes;
 }
 
-// Acceleration of a block of a row. By_stress: the largest of what bonds' stresses are at most, s being at
-// most e/2, over that of a bond with e = 1.
-template <class Real, BlockLaw which, bool masked, bool per_lane, bool by_stress>
+// Acceleration of a block of a row; the most that theta of both ends of a bond can be.
+template <class Real, BlockLaw which, bool masked, bool per_lane>
 typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables<Real>& t,
                                     const BondLaw<Real>& law, int b) {
   using S = Simd<Real>;
@@ -139,7 +135,6 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
   constexpr int n = std::extent_v<std::remove_reference_t<decltype(fits.R)>>;
   const typename S::template Polynomial<n> R(fits.R), H(fits.H);
   const std::uint16_t* const there = f.there + std::ptrdiff_t(b) * f.there_per_block;
-  const V theta_as_strain = S::splat(by_stress ? 2 * law.stress_per_theta / law.stress_per_stretch : Real(0));
   V largest = {};
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
@@ -151,6 +146,7 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
         t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, auto number) {
           const Bond<Real> bond = bond_at(row, fb, u, centre);
           const V both = own_theta + S::load(theta + fb.neighbour);
+          high = S::max(high, both);
           V press = both * S::template constant<per_lane>(weight, pressure);
           V distort = bond.e * S::template constant<per_lane>(weight, half_distortion);
           if constexpr (n > 1) {
@@ -159,16 +155,36 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
             distort *= H(e);
           }
           V scale = distort + press;
-          const unsigned alive_ones = masked ? part_of<S::lanes>(there[number], lane0) : 0u;
-          if constexpr (masked) scale = S::keep_lanes(scale, alive_ones);
-          if constexpr (by_stress) {
-            V stress = theta_as_strain * both + bond.e;
-            if constexpr (masked) stress = S::keep_lanes(stress, alive_ones);
-            high = S::max(high, stress);
-          }
+          if constexpr (masked)
+            scale = S::keep_lanes(scale, part_of<S::lanes>(there[t.word[number].place], lane0));
           for (int c = 0; c < 3; ++c) sum[c] -= scale * bond.minus_y[c];
         });
     for (int c = 0; c < 3; ++c) S::store(f.acceleration[c] + x, sum[c]);
+    largest = high;
+  }
+  return largest;
+}
+
+// What the stresses of a block's bonds are at most, s being at most e/2, over that of a bond with e = 1.
+template <class Real>
+typename Simd<Real>::V family_stress(const RowFields<Real>& f, const FamilyTables<Real>& t,
+                                     const BondLaw<Real>& law, int b) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const std::uint16_t* const there = f.there + std::ptrdiff_t(b) * f.there_per_block;
+  const V theta_as_strain = S::splat(2 * law.stress_per_theta / law.stress_per_stretch);
+  V largest = {};
+  for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
+    const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
+    const Real* const u[3] = {f.u[0] + x, f.u[1] + x, f.u[2] + x};
+    const Real* const theta = f.theta + x;
+    const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])}, own_theta = S::load(theta);
+    V high = largest;
+    for_family<Real, false>(t, b, lane0, [&](const auto& row, const auto& fb, const Real*, auto number) {
+      const V both = own_theta + S::load(theta + fb.neighbour);
+      const V stress = theta_as_strain * both + strain_at(row, fb, u, centre);
+      high = S::max(high, S::keep_lanes(stress, part_of<S::lanes>(there[t.word[number].place], lane0)));
+    });
     largest = high;
   }
   return largest;
@@ -238,8 +254,8 @@ bool break_bonds(const RowFields<Real>& f, const FamilyTables<Real>& t, const Bo
         kill(words + fw.word, f.bits_per_block, std::uint64_t(gone) << fw.shift);
         now &= ~gone;
       }
-      changed |= there[n] != now;
-      there[n] = static_cast<std::uint16_t>(now);
+      changed |= there[fw.place] != now;
+      there[fw.place] = static_cast<std::uint16_t>(now);
       missing |= now != (t.whole[b] ? t.whole[b][n] : 0xffffu);
     }
   }
@@ -268,12 +284,11 @@ Extremes<Real> theta_by_state(const RowFields<Real>& f, const FamilyTables<Real>
   return theta_by_law<Real, false, false>(f, t, law, b);
 }
 
-// The law for bonds strained so far: one that serves. A block goes back to a shorter one where it is well
-// within its range.
+// The law for bonds of which |e| is largest so far: one that serves. A block goes back to a shorter one where
+// it is well within its range.
 template <class Real>
-BlockLaw law_for(const Extremes<Real>& e, const BondLaw<Real>& law, BlockLaw now) {
+BlockLaw law_for(typename Simd<Real>::V largest, const BondLaw<Real>& law, BlockLaw now) {
   using S = Simd<Real>;
-  const typename S::V largest = S::max(e.high, -e.low);
   if (S::any(largest > law.e_small)) return wide;
   if (now == wide && S::any(largest > law.e_small / 2)) return wide;
   if (S::any(largest > law.e_calm)) return bent;
@@ -281,86 +296,177 @@ BlockLaw law_for(const Extremes<Real>& e, const BondLaw<Real>& law, BlockLaw now
   return calm;
 }
 
+// A column of the passes.
 template <class Real>
-void block_theta(const RowFields<Real>& f, const FamilyTables<Real>& t, const BondLaw<Real>& law, int b,
-                 Broken& broken) {
-  if (f.crush[b]) break_bonds<Real, false>(f, t, law, b, broken);
-  for (bool asked = false;;) {
-    const Extremes<Real> e = theta_by_state(f, t, law, b);
-    // A little less than what breaks: what decides is another sum, of the same terms.
-    if (!asked && __builtin_expect(Simd<Real>::any(e.high > law.e_break * Real(0.999)), 0)) {
-      asked = true;
-      if (break_bonds<Real, false>(f, t, law, b, broken)) continue;
-    }
-    const BlockLaw now = law_of(f.state[b]), needed = law_for(e, law, now);
-    f.state[b] = static_cast<std::uint8_t>((f.state[b] & cracked) | needed);
-    if (needed <= now) return;
+struct Column {
+  const ColumnFields<Real>& fields;
+  const RowFields<Real>* rows;  // [layer]
+  const FamilyTables<Real>* tables;
+  int nz;
+  const BondLaw<Real>& law;
+};
+
+template <class Real>
+BlockLaw law_of_block(const Column<Real>& c, int b) {
+  BlockLaw now = calm;
+  for (int k = 0; k < c.nz; ++k) now = std::max(now, law_of(c.rows[k].state[b]));
+  return now;
+}
+
+template <class Real>
+bool is_cracked(const Column<Real>& c, int b) {
+  unsigned all = 0;
+  for (int k = 0; k < c.nz; ++k) all |= c.rows[k].state[b];
+  return all & cracked;
+}
+
+// Whether a block of this law is summed for all layers at once.
+template <class Real>
+bool at_once(const Column<Real>& c, BlockLaw law) {
+  return law == calm && c.fields.calm && c.nz <= most_calm_layers;
+}
+
+// A calm block by one of the passes over all layers.
+template <class Real>
+typename Simd<Real>::V run_calm(const CalmPass<Real> (&pass)[2][2], const Column<Real>& c, int b) {
+  const CalmWeights<Real>& weights = *c.fields.calm[b];
+  const std::uint16_t* const there = c.rows[0].there + std::ptrdiff_t(b) * c.rows[0].there_per_block;
+  return pass[weights.masked || is_cracked(c, b)][weights.per_lane](c.fields.fields, weights, there, b);
+}
+
+// Breaks what is overstrained in a block's layers. Returns whether they must be summed again.
+template <class Real, bool by_stress>
+bool break_in_block(const Column<Real>& c, int b, Broken& broken) {
+  bool changed = false;
+  for (int k = 0; k < c.nz; ++k)
+    changed |= break_bonds<Real, by_stress>(c.rows[k], c.tables[k], c.law, b, broken);
+  return changed;
+}
+
+// theta of a block by a law.
+template <class Real>
+Extremes<Real> theta_of_block(const Column<Real>& c, int b, BlockLaw now) {
+  using S = Simd<Real>;
+  Extremes<Real> all;
+  if (at_once(c, now)) {
+    all.high = run_calm(calm_passes<Real>[c.nz - 1].theta, c, b);
+    all.low = -all.high;
+    return all;
+  }
+  for (int k = 0; k < c.nz; ++k) {
+    const Extremes<Real> e = theta_by_state(c.rows[k], c.tables[k], c.law, b);
+    all = {S::max(all.high, e.high), S::min(all.low, e.low)};
+  }
+  return all;
+}
+
+template <class Real>
+void follow_law(const Column<Real>& c, int b, BlockLaw law) {
+  for (int k = 0; k < c.nz; ++k) {
+    std::uint8_t& state = c.rows[k].state[b];
+    state = static_cast<std::uint8_t>((state & cracked) | law);
   }
 }
 
 template <class Real>
-Broken dilatation(const RowFields<Real>* rows, const FamilyTables<Real>* tables, int nz,
-                  const BondLaw<Real>& law) {
-  Broken broken;
-  for (int b = 0; b < rows[0].blocks; ++b) {
-    if (rows[0].linear[b]) continue;
-    for (int k = 0; k < nz; ++k) block_theta(rows[k], tables[k], law, b, broken);
+void block_theta(const Column<Real>& c, int b, Broken& broken) {
+  using S = Simd<Real>;
+  if (c.rows[0].crush[b]) break_in_block<Real, false>(c, b, broken);
+  BlockLaw now = law_of_block(c, b);
+  follow_law(c, b, now);
+  for (bool asked = false;;) {
+    const Extremes<Real> e = theta_of_block(c, b, now);
+    // A little less than what breaks: what decides is another sum, of the same terms.
+    if (!asked && __builtin_expect(S::any(e.high > c.law.e_break * Real(0.999)), 0)) {
+      asked = true;
+      if (break_in_block<Real, false>(c, b, broken)) continue;
+    }
+    const BlockLaw before = now;
+    now = law_for<Real>(S::max(e.high, -e.low), c.law, before);
+    follow_law(c, b, now);
+    S::store(c.fields.strain + std::ptrdiff_t(b) * block, e.high);
+    if (now <= before) return;
   }
+}
+
+template <class Real>
+Broken dilatation(const ColumnFields<Real>& fields, const RowFields<Real>* rows,
+                  const FamilyTables<Real>* tables, int nz, const BondLaw<Real>& law) {
+  Broken broken;
+  const Column<Real> column{fields, rows, tables, nz, law};
+  for (int b = 0; b < rows[0].blocks; ++b)
+    if (!rows[0].linear[b]) block_theta(column, b, broken);
   return broken;
 }
 
-template <class Real, bool masked, bool per_lane, bool by_stress>
+template <class Real, bool masked, bool per_lane>
 typename Simd<Real>::V force_by_law(const RowFields<Real>& f, const FamilyTables<Real>& t,
                                     const BondLaw<Real>& law, int b) {
   switch (law_of(f.state[b])) {
     case calm:
-      return family_force<Real, calm, masked, per_lane, by_stress>(f, t, law, b);
+      return family_force<Real, calm, masked, per_lane>(f, t, law, b);
     case bent:
-      return family_force<Real, bent, masked, per_lane, by_stress>(f, t, law, b);
+      return family_force<Real, bent, masked, per_lane>(f, t, law, b);
     default:
-      return family_force<Real, wide, masked, per_lane, by_stress>(f, t, law, b);
+      return family_force<Real, wide, masked, per_lane>(f, t, law, b);
   }
 }
 
-template <class Real, bool by_stress>
+template <class Real>
 typename Simd<Real>::V force_by_state(const RowFields<Real>& f, const FamilyTables<Real>& t,
                                       const BondLaw<Real>& law, int b) {
-  if (t.ends[b]) return force_by_law<Real, true, true, by_stress>(f, t, law, b);
-  if (f.state[b] & cracked) return force_by_law<Real, true, false, by_stress>(f, t, law, b);
-  return force_by_law<Real, false, false, by_stress>(f, t, law, b);
+  if (t.ends[b]) return force_by_law<Real, true, true>(f, t, law, b);
+  if (f.state[b] & cracked) return force_by_law<Real, true, false>(f, t, law, b);
+  return force_by_law<Real, false, false>(f, t, law, b);
+}
+
+// Acceleration of a block; the most that theta of both ends of its bonds can be.
+template <class Real>
+typename Simd<Real>::V force_of_block(const Column<Real>& c, int b) {
+  if (at_once(c, law_of(c.rows[0].state[b]))) return run_calm(calm_passes<Real>[c.nz - 1].force, c, b);
+  typename Simd<Real>::V both = {};
+  for (int k = 0; k < c.nz; ++k)
+    both = Simd<Real>::max(both, force_by_state(c.rows[k], c.tables[k], c.law, b));
+  return both;
+}
+
+// Whether stresses may be near what breaks a bond: a little less, for what decides is another sum of the same
+// terms. First by what they are at most, then by the largest one.
+template <class Real>
+bool is_near_breaking(const Column<Real>& c, int b, typename Simd<Real>::V both) {
+  using S = Simd<Real>;
+  const Real limit = Real(0.999) * 2 / c.law.stress_per_stretch,
+             theta_as_strain = 2 * c.law.stress_per_theta / c.law.stress_per_stretch;
+  const typename S::V strain = S::load(c.fields.strain + std::ptrdiff_t(b) * block);
+  if (theta_as_strain >= 0 && !S::any(strain + theta_as_strain * S::largest(both) > limit)) return false;
+  for (int k = 0; k < c.nz; ++k)
+    if (S::any(family_stress(c.rows[k], c.tables[k], c.law, b) > limit)) return true;
+  return false;
 }
 
 template <class Real>
-void block_force(const RowFields<Real>& f, const FamilyTables<Real>& t, const BondLaw<Real>& law, int b,
-                 Broken& broken) {
-  if (!(law.stress_per_stretch > 0)) {
-    force_by_state<Real, false>(f, t, law, b);
-    return;
-  }
-  // A little less than what breaks: what decides is another sum, of the same terms.
-  const Real near_limit = Real(0.999) * 2 / law.stress_per_stretch;
-  if (!Simd<Real>::any(force_by_state<Real, true>(f, t, law, b) > near_limit)) return;
-  if (break_bonds<Real, true>(f, t, law, b, broken)) force_by_state<Real, true>(f, t, law, b);
+void block_force(const Column<Real>& c, int b, Broken& broken) {
+  const typename Simd<Real>::V both = force_of_block(c, b);
+  if (!(c.law.stress_per_stretch > 0) || !is_near_breaking(c, b, both)) return;
+  if (break_in_block<Real, true>(c, b, broken)) force_of_block(c, b);
 }
 
 template <class Real>
-Broken force(const RowFields<Real>* rows, const FamilyTables<Real>* tables, int nz,
-             const BondLaw<Real>& law) {
+Broken force(const ColumnFields<Real>& fields, const RowFields<Real>* rows, const FamilyTables<Real>* tables,
+             int nz, const BondLaw<Real>& law) {
   Broken broken;
-  for (int b = 0; b < rows[0].blocks; ++b) {
-    if (rows[0].linear[b]) continue;
-    for (int k = 0; k < nz; ++k) block_force(rows[k], tables[k], law, b, broken);
-  }
+  const Column<Real> column{fields, rows, tables, nz, law};
+  for (int b = 0; b < rows[0].blocks; ++b)
+    if (!rows[0].linear[b]) block_force(column, b, broken);
   return broken;
 }
 
 template <class Real>
-Broken look_closer(const RowFields<Real>* rows, const FamilyTables<Real>* tables, int nz,
-                   const BondLaw<Real>& law, int b) {
+Broken look_closer(const ColumnFields<Real>& fields, const RowFields<Real>* rows,
+                   const FamilyTables<Real>* tables, int nz, const BondLaw<Real>& law, int b) {
   Broken broken;
-  bool any = false;
-  for (int k = 0; k < nz; ++k) any |= break_bonds<Real, true>(rows[k], tables[k], law, b, broken);
-  for (int k = 0; k < nz && any; ++k) block_force(rows[k], tables[k], law, b, broken);
+  const Column<Real> column{fields, rows, tables, nz, law};
+  if (break_in_block<Real, true>(column, b, broken)) force_of_block(column, b);
   return broken;
 }
 

@@ -39,7 +39,22 @@ struct Simd {
     return part[0];
   }
   static V min(V a, V b) { return a < b ? a : b; }
-  static V keep(V v, Mask mask) { return (V)((Mask)v & mask); }
+  // max(a, |b|), a >= 0.
+  static V larger_magnitude(V a, V b) {
+#if ICEBOW_VECTOR_BYTES == 64
+    constexpr int of_magnitudes = 0xb;
+    if constexpr (sizeof(Real) == 4) {
+      return (V)_mm512_range_ps((__m512)a, (__m512)b, of_magnitudes);
+    } else {
+      return (V)_mm512_range_pd((__m512d)a, (__m512d)b, of_magnitudes);
+    }
+#else
+    return max(a, max(b, -b));
+#endif
+  }
+  static V keep(V v, Mask mask) {
+    return (V)((Mask)v & mask);
+  }
   // v where the lane's bit is set, else 0.
   static V keep_lanes(V v, unsigned word) {
 #if ICEBOW_VECTOR_BYTES == 64

@@ -47,7 +47,7 @@ void LinearBlocks<Real>::measure(const Ice& ice, int jl) {
   // The copies north of the last one end there.
   if (j + 1 >= ny_ || jl + 1 >= columns_ + reach) f.column = 0;
   for (int b = 0; b < blocks_; ++b) {
-    const Roughness<Real> r = ice.passes.roughness(f, nz_, b, &has_next_[ghost_blocks * block]);
+    const Roughness<Real> r = ice.passes.roughness(f, nz_, b, &has_next_[ghost_blocks * block], limit2_);
     facts(jl)[b] = static_cast<std::uint8_t>((r.within <= limit2_ ? flat_within : 0) |
                                              (r.across <= limit2_ ? flat_across : 0));
   }

@@ -1,4 +1,6 @@
 // The linear passes over a block of a column; included by kernel_impl.h.
+#pragma once
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -247,15 +249,14 @@ Real linear_force(const LinearFields<Real>& fields, const LinearWeights<Real>& w
     }
     largest = S::max(largest, f.theta);
   }
-  Real theta = 0;
-  for (int l = 0; l < S::lanes; ++l) theta = std::max<Real>(theta, largest[l]);
-  return theta;
+  return S::largest(largest);
 }
 
 // Largest sums of squared displacement differences between nearest neighbours, of all lanes within a bond's
-// reach of block b: within this column, and between it and the next one.
+// reach of block b: within this column, and between it and the next one. Stops where the former is beyond the
+// limit: the block is rough then.
 template <class Real>
-Roughness<Real> roughness(const LinearFields<Real>& f, int nz, int b, const Real* has_next) {
+Roughness<Real> roughness(const LinearFields<Real>& f, int nz, int b, const Real* has_next, Real limit) {
   using S = Simd<Real>;
   using V = typename S::V;
   constexpr int first = -reach, last = block + reach;
@@ -277,14 +278,10 @@ Roughness<Real> roughness(const LinearFields<Real>& f, int nz, int b, const Real
       }
       within = S::max(within, in_column);
       across = S::max(across, to_next);
+      if (S::any(within > limit)) return {S::largest(within), S::largest(across)};
     }
   }
-  Roughness<Real> largest{0, 0};
-  for (int l = 0; l < S::lanes; ++l) {
-    largest.within = std::max<Real>(largest.within, within[l]);
-    largest.across = std::max<Real>(largest.across, across[l]);
-  }
-  return largest;
+  return {S::largest(within), S::largest(across)};
 }
 
 template <class Real, int nz>

@@ -63,10 +63,12 @@ inline Plates plates(const WaterFields<Real>& f, const WaterLaw& w, int lane0) {
   const V length = root(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   Plates p;
   p.whole = f.layers == 1 ? length == length : size_of(length - height) <= most_crushed * height;
-  for (int c = 0; c < 3; ++c) p.n[c] = normal[c] / length;
+  const V per_length = 1.0 / length;
+  const double per_dx = 1.0 / w.dx;
+  for (int c = 0; c < 3; ++c) p.n[c] = normal[c] * per_length;
   const V face = 0.5 * w.dx * size_of(p.n[2]), z_first = w.z0 + low[2], z_last = (w.z0 + height) + high[2];
-  p.wet_low = share_of_one((face - S::min(z_first, z_last)) / w.dx);
-  p.wet_high = share_of_one((-face - S::max(z_first, z_last)) / w.dx);
+  p.wet_low = share_of_one((face - S::min(z_first, z_last)) * per_dx);
+  p.wet_high = share_of_one((-face - S::max(z_first, z_last)) * per_dx);
   p.share = V{};
   if (!w.plane) return p;
   V moved2 = {};
@@ -84,6 +86,7 @@ void water_columns(const WaterFields<Real>& f, const WaterLaw& w, unsigned mobil
   using S = Simd<double>;
   using V = S::V;
   const S::Mask bits = S::lane_bits();
+  const double per_dx = 1.0 / w.dx, per_layer = 1.0 / f.layers, per_dt = per_layer / w.dt;
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const Plates p = plates(f, w, lane0);
     V speed[3] = {}, acceleration[3] = {};
@@ -93,7 +96,7 @@ void water_columns(const WaterFields<Real>& f, const WaterLaw& w, unsigned mobil
         acceleration[c] += load_double(f.acceleration[c] + k * f.layer + lane0);
       }
       const V z = (w.z0 + k * w.dx) + load_double(f.u[2] + k * f.layer + lane0);
-      acceleration[2] += w.lift * share_of_one(0.5 - z / w.dx) - w.gravity;
+      acceleration[2] += w.lift * share_of_one(0.5 - z * per_dx) - w.gravity;
     }
     V strike = {}, v = {}, a = {};
     for (int c = 0; c < 3; ++c) {
@@ -101,9 +104,9 @@ void water_columns(const WaterFields<Real>& f, const WaterLaw& w, unsigned mobil
       a += p.n[c] * acceleration[c];
       if (strikes) strike += p.n[c] * S::load(strikes->delta_v[c] + lane0);
     }
-    v /= double(f.layers);
-    a /= double(f.layers);
-    strike /= f.layers * w.dt;
+    v *= per_layer;
+    a *= per_layer;
+    strike *= per_dt;
     const V m = w.added_mass * p.wet_low * (1.0 - p.share), drag = (0.5 * w.drag) * (p.wet_low + p.wet_high);
     const V mass = w.mass * f.layers + m;
     const V change = -(m * (a + strike) + drag * size_of(v) * v) / mass;

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "solver/model/scenario.h"
 
@@ -62,9 +63,15 @@ struct Partition {
   int west = -1, east = -1, south = -1, north = -1;  // ranks at -x, +x, -y, +y; -1 = none
 };
 
-// Chooses the rank grid with the smallest halo, or with `along_x` ranks along x where that is not 0. Throws
-// InputError where the sheet is too small for so many ranks.
-Partition make_partition(const Lattice& lattice, int rank, int ranks, int along_x = 0);
+// Chooses the rank grid with the smallest halo, or with `along_x` ranks along x where that is not 0. Columns
+// are dealt by what they cost, [j]; without costs all cost the same. Throws InputError where the sheet is too
+// small for so many ranks.
+Partition make_partition(const Lattice& lattice, int rank, int ranks, int along_x = 0,
+                         const std::vector<double>& column_costs = {});
+
+// What columns cost a step where a ship breaks ice, those far from its course costing 1: those within
+// `half_breadth` of its middle line [m] have broken ice, which pieces and hull push.
+std::vector<double> column_costs(const Lattice& lattice, double half_breadth);
 
 // Addresses of one rank's padded rows.
 struct Layout {

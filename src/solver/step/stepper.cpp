@@ -28,6 +28,12 @@ Box contact_region(const QuadMesh& hull, const Scenario& s, const Lattice& latti
   return region;
 }
 
+// Ice breaks some way beyond the ship's sides.
+double broken_half_breadth(const QuadMesh& hull) {
+  const Box box = bounding_box(hull);
+  return 0.6 * (box.upper.y() - box.lower.y());
+}
+
 ContactSettings contact_settings(const Scenario& s, double dt, double dx) {
   ContactSettings c;
   c.rule = s.numerics.contact;
@@ -69,10 +75,10 @@ Stepper::Stepper(const Communicator& comm, const QuadMesh& hull, const Scenario&
       start_x_(hull_x),
       window_ahead_(s.sheet.window_ahead),
       material_(make_material(s.ice, lattice.dx, s.numerics.horizon_ratio)),
-      sheet_(
-          s, lattice,
-          make_partition(lattice, comm.rank(), comm.size(), comm.size() > 1 ? s.numerics.ranks_along_x : 0),
-          material_),
+      sheet_(s, lattice,
+             make_partition(lattice, comm.rank(), comm.size(), comm.size() > 1 ? s.numerics.ranks_along_x : 0,
+                            column_costs(lattice, broken_half_breadth(hull))),
+             material_),
       contact_(hull, contact_region(hull, s, lattice, hull_x), contact_settings(s, dt, lattice.dx)),
       impulse_(s.ice.rho * lattice.particle_volume(), s.V, lattice.dx),
       no_impulse_(impulse_),
