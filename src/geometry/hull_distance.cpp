@@ -1,7 +1,6 @@
 #include "geometry/hull_distance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace icebow {
@@ -68,32 +67,6 @@ ClosestPoint HullDistance::closest(const Vec3& p, Known& known) const {
   }
   if (known.slot < 0) return closest(p);
   return oriented(surface_, tree_.triangle(known.slot), tree_.closest_of(known.slot, p), p);
-}
-
-void HullDistance::find_inside(const float* x, const float* y, const float* z, std::size_t n,
-                               const Vec3& hull_origin, std::vector<InsidePoint>& found) const {
-  constexpr std::size_t block = 256;
-  std::array<float, block> hx, hy, hz;  // in the hull frame
-  std::array<std::int32_t, block> cell;
-  const double ox = hull_origin.x(), oy = hull_origin.y(), oz = hull_origin.z();
-  for (std::size_t begin = 0; begin < n; begin += block) {
-    const std::size_t count = std::min(block, n - begin);
-    for (std::size_t i = 0; i < count; ++i) {
-      hx[i] = static_cast<float>(x[begin + i] - ox);
-      hy[i] = static_cast<float>(y[begin + i] - oy);
-      hz[i] = static_cast<float>(z[begin + i] - oz);
-      cell[i] = cells_.grid.cell(hx[i], hy[i], hz[i]);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t kind = cells_.kind[cell[i]];
-      if (kind == 0 || !cells_.may_be_inside(kind, hx[i], hy[i], hz[i])) continue;
-      const std::size_t index = begin + i;
-      const Vec3 p = Vec3(x[index], y[index], z[index]) - hull_origin;
-      const NearestTriangle nearest = cells_.closest(tree_, kind, p);
-      const ClosestPoint at = oriented(surface_, nearest.triangle, nearest.at, p);
-      if (at.signed_distance < 0.0) found.push_back({index, at});
-    }
-  }
 }
 
 }  // namespace icebow

@@ -30,12 +30,6 @@ struct ClosestPoint {
 // The reference: every triangle is asked.
 ClosestPoint closest_brute_force(const TriangleSurface& surface, const Vec3& p);
 
-// A point found inside the hull, by its number in the arrays asked.
-struct InsidePoint {
-  std::size_t index = 0;
-  ClosestPoint closest;  // in the hull frame
-};
-
 class HullDistance {
  public:
   // Points of `region` (hull frame) will be asked for contact: the grid covers what the region and the hull's
@@ -44,15 +38,10 @@ class HullDistance {
   // that is not closed.
   HullDistance(const QuadMesh& mesh, const Box& region);
 
-  // False at once for points that are certainly outside the hull or outside the region.
-  bool may_be_inside(const Vec3& p) const {
-    const Eigen::Vector3f f = p.cast<float>();
-    return cells_.may_be_inside(cells_.kind_at(f.x(), f.y(), f.z()), f.x(), f.y(), f.z());
-  }
   // What is known of a point without a search.
   struct Outlook {
-    bool may_be_inside;
-    float clearance;  //!< no point nearer than this may be inside [m]; 0 if this one may be
+    bool may_be_inside;  //!< false at once for what is certainly outside the hull or outside the region
+    float clearance;     //!< no point nearer than this may be inside [m]; 0 if this one may be
   };
   Outlook outlook(const Vec3& p) const {
     const Eigen::Vector3f f = p.cast<float>();
@@ -72,11 +61,6 @@ class HullDistance {
   };
   // The same to the bit. Callers subtract from `rest` what the point has moved since the last call.
   ClosestPoint closest(const Vec3& p, Known& known) const;
-
-  // Appends those of n points (minus the hull's origin) in the region with a negative signed distance, in
-  // order.
-  void find_inside(const float* x, const float* y, const float* z, std::size_t n, const Vec3& hull_origin,
-                   std::vector<InsidePoint>& found) const;
 
   const TriangleSurface& surface() const { return surface_; }
   const CellGrid& grid() const { return cells_.grid; }

@@ -71,7 +71,7 @@ void compare_with_brute_force(const QuadMesh& mesh, const Box& region, const std
     const ClosestPoint slow = closest_brute_force(hull.surface(), p), fast = hull.closest(p);
     differ += !same(slow, fast);
     const bool asked = (p.array() >= region.lower.array()).all() && (p.array() <= region.upper.array()).all();
-    lost += asked && slow.signed_distance < 0.0 && !hull.may_be_inside(p);
+    lost += asked && slow.signed_distance < 0.0 && !hull.outlook(p).may_be_inside;
     inside += slow.signed_distance < 0.0;
     not_unit += std::abs(fast.normal.norm() - 1.0) > 1e-12;
   }
@@ -211,41 +211,12 @@ TEST_CASE("Hull distance: a point that moves is told the same with and without w
   CHECK(searched < asked / 10);  // or nothing would be gained
 }
 
-TEST_CASE("Hull distance: points in batches are those found one by one") {
-  const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
-  Box region = bounding_box(mesh);
-  region.lower.z() = -0.2, region.upper.z() = 0.1;
-  const HullDistance hull(mesh, region);
-  const Vec3 origin(1.7, -0.2, 0.01);
-  std::vector<float> x, y, z;
-  for (const Vec3& p : random_points(grown(region, 0.3), 3000, 10)) {
-    x.push_back(static_cast<float>(p.x() + origin.x()));
-    y.push_back(static_cast<float>(p.y() + origin.y()));
-    z.push_back(static_cast<float>(p.z() + origin.z()));
-  }
-  x[7] = std::numeric_limits<float>::quiet_NaN();
-  y[8] = -std::numeric_limits<float>::infinity();
-  std::vector<InsidePoint> found;
-  hull.find_inside(x.data(), y.data(), z.data(), x.size(), origin, found);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const Vec3 p = Vec3(x[i], y[i], z[i]) - origin;
-    if (!hull.may_be_inside(p) || hull.closest(p).signed_distance >= 0.0) continue;
-    REQUIRE(next < found.size());
-    CHECK(found[next].index == i);
-    CHECK(same(found[next].closest, hull.closest(p)));
-    ++next;
-  }
-  CHECK(next == found.size());
-  CHECK(next > 300);
-}
-
 TEST_CASE("Hull distance: the filter is tight") {
   const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 2000);
   const HullDistance hull(mesh, bounding_box(mesh));
   int near = 0, mistaken = 0;
   for (const Vec3& p : random_points(bounding_box(mesh), 30000, 11)) {
-    const bool maybe = hull.may_be_inside(p);
+    const bool maybe = hull.outlook(p).may_be_inside;
     const double distance = hull.closest(p).signed_distance;
     if (distance > 2.0 * hull.grid().size) CHECK_FALSE(maybe);
     if (distance < 0.0) CHECK(maybe);
@@ -254,8 +225,8 @@ TEST_CASE("Hull distance: the filter is tight") {
   }
   CHECK(near > 200);
   CHECK(mistaken < near / 20);  // the planes of the surface cells: without them it would be most
-  CHECK_FALSE(hull.may_be_inside({100, 0, 0}));
-  CHECK_FALSE(hull.may_be_inside(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())));
+  CHECK_FALSE(hull.outlook({100, 0, 0}).may_be_inside);
+  CHECK_FALSE(hull.outlook(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())).may_be_inside);
 }
 
 TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
@@ -266,13 +237,12 @@ TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
     int far = 0, seen_far = 0;
     for (const Vec3& p : random_points(grown(region, 0.2), 20000, 12)) {
       const HullDistance::Outlook outlook = hull.outlook(p);
-      CHECK(outlook.may_be_inside == hull.may_be_inside(p));
       if (outlook.may_be_inside) CHECK(outlook.clearance == 0.0F);
       for (int c = 0; c < 3; ++c) {
         for (const double way : {-0.9999, 0.9999}) {
           Vec3 moved = p;
           moved[c] += way * double(outlook.clearance);
-          if (outlook.clearance > 0.0F) CHECK_FALSE(hull.may_be_inside(moved));
+          if (outlook.clearance > 0.0F) CHECK_FALSE(hull.outlook(moved).may_be_inside);
         }
       }
       const bool in_region =
@@ -296,8 +266,8 @@ TEST_CASE("Hull distance: the grid stays within its bound") {
   }
   const QuadMesh mesh = shapes::hull(6.0, 0.92, 0.54, 100);
   const HullDistance apart(mesh, {{20, 0, 0}, {21, 1, 1}});  // a region the hull does not reach
-  CHECK_FALSE(apart.may_be_inside({-2, 0, 0}));
-  CHECK_FALSE(apart.may_be_inside({20.5, 0.5, 0.5}));
+  CHECK_FALSE(apart.outlook({-2, 0, 0}).may_be_inside);
+  CHECK_FALSE(apart.outlook({20.5, 0.5, 0.5}).may_be_inside);
   CHECK(apart.closest({-2, 0, 0}).signed_distance < 0.0);
 }
 
