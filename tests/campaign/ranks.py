@@ -15,7 +15,7 @@ import common
 
 RANKS = (1, 2, 3, 4, 6, 8)
 HURRIED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-PATIENT = {"OMPI_MCA_odls_base_sigkill_timeout": "3"}  # seconds, twice
+PATIENT = {"OMPI_MCA_odls_base_sigkill_timeout": "2"}  # seconds until SIGTERM, and from there to SIGKILL
 
 
 def outcome(place, command, out):
@@ -29,7 +29,7 @@ class Campaign:
     def __init__(self, place, dice):
         self.place, self.dice, self.faults = place, dice, []
         self.left = {}  # of each kind of signal: checkpoints left, signals that fell
-        solver = {"layers": 2, "time_step_fraction": 0.15}  # some seconds
+        solver = {"layers": 2, "time_step_fraction": 0.03}  # longer than mpirun's patience
         self.path = place.write("study.json", common.study(designs=[], solver=solver,
                                                            output={"pictures": 1, "snapshots": 8}))
         self.expected = {}
@@ -57,7 +57,7 @@ class Campaign:
             process.kill()
             process.communicate()
             self.faults.append(f"{command} on {ranks} ranks: {number.name} did not end it in a minute")
-        return process.returncode != 0
+        return process.returncode != 0 and not (design / "result.json").exists()
 
     def pair(self, command, first, second, number, patient):
         what = f"{command}, {number.name}{' and time' if patient else ''} on {first} ranks, resumed on {second}"
@@ -94,6 +94,8 @@ def main():
             campaign.pair("simulate", 2, 1, signal.SIGUSR1, False)
             campaign.pair("run", 1, 2, signal.SIGUSR1, False)
             campaign.pair("simulate", 2, 3, signal.SIGTERM, True)
+            if sum(fell for _, fell in campaign.left.values()) < 3:
+                campaign.faults.append("a run ended before its signal came: it must be longer")
         for _ in range(0 if chosen.short else chosen.rounds):
             for n, first in enumerate(RANKS):
                 for m, second in enumerate(RANKS):
