@@ -8,9 +8,9 @@
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "reports/content/comparison.h"
-#include "reports/content/drift.h"
 #include "reports/content/inline_svg.h"
 #include "reports/text/text_format.h"
+#include "solver/model/drift.h"
 #include "study/evaluate/result_keys.h"
 #include "study/store/design_files.h"
 
@@ -126,6 +126,13 @@ void read_histories(ReportContent& content) {
   }
 }
 
+Drift drift_between(const LoadSeries& series, double from, double to) {
+  std::vector<double> counted;
+  for (std::size_t i = 0; i < series.load.size(); ++i)
+    if (series.advance[i] >= from && series.advance[i] <= to) counted.push_back(series.load[i]);
+  return drift_of(counted);
+}
+
 // Of the three leading designs and the baseline, before the records are thinned.
 void look_for_drift(ReportContent& content) {
   for (std::size_t i = 0; i < content.designs.size(); ++i) {
@@ -134,8 +141,8 @@ void look_for_drift(ReportContent& content) {
     if (!leads || content.designs[i].histories.empty()) continue;
     const Json& result = row.evaluation.result;
     const Drift drift =
-        drift_of(content.designs[i].histories.front(), number_at(result, result_key::steady_from),
-                 number_at(result, result_key::steady_to));
+        drift_between(content.designs[i].histories.front(), number_at(result, result_key::steady_from),
+                      number_at(result, result_key::steady_to));
     if (!drift.told()) continue;
     content.study.drifts.push_back("The load of " + row.evaluation.name +
                                    " drifts: the second half of its steady part is " +

@@ -39,10 +39,13 @@ const RankedDesign* baseline_of(const StudyResults& study) {
   return nullptr;
 }
 
-// "17 % below the baseline": `value` against what it is compared with.
-std::string apart_in_words(double value, double other, const std::string& name) {
-  const double share = 100.0 * (value / other - 1.0);
-  return fixed(std::fabs(share), 0) + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
+// "17 ± 6 % below the baseline": `value` against what it is compared with, with the half width of the
+// difference's interval where there is one.
+std::string apart_in_words(double value, double other, double ci95, const std::string& name) {
+  const double share = 100.0 * (value / other - 1.0), half = std::fabs(100.0 * ci95 / other);
+  const std::string error =
+      !(half > 0.0) || !std::isfinite(half) ? "" : "\u00a0\u00b1\u00a0" + fixed(half, half < 0.95 ? 1 : 0);
+  return fixed(std::fabs(share), 0) + error + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
 }
 
 // A race says itself who may be the best.
@@ -249,8 +252,8 @@ std::string versus_in_words(const RankedDesign& row, const StudyResults& study) 
     name = other->evaluation.name;
   }
   if (other == &row || row.evaluation.name == other->evaluation.name || other->value == 0.0) return {};
-  const std::string apart = apart_in_words(row.value, other->value, name);
   const MeanDifference difference = compared_with(row, *other, study.ranking.rank_by);
+  const std::string apart = apart_in_words(row.value, other->value, difference.ci95, name);
   if (difference.ci95 == 0.0) return apart;  // without sampling error
   if (!std::isfinite(difference.ci95)) return apart + ", by means whose intervals are not known";
   return apart + " (" + p_in_words(difference.p) +

@@ -49,6 +49,8 @@ std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::
   line += std::string(",") + (row.tied_with_best ? "1" : "0") + ',' + (row.tied_with_next ? "1" : "0");
   line +=
       ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
+  for (const double load : {row.cycle_load, row.cycle_ci95, row.solver_load, row.solver_ci95})
+    line += ',' + csv_number(load);
   line += ',' + csv_number(p_best) + result(result_key::effective_samples) + ',' +
           csv_field(text_at(e.result, result_key::lindqvist_caution)) + ',' +
           csv_field(unlike_ice_words(e.result));
@@ -62,15 +64,19 @@ std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::
   return line + '\n';
 }
 
-std::string markdown_row(const RankedDesign& row, const LoadUnit& unit) {
+// `confirmed`: with what the cycle and the simulation say, of which the mean load is made.
+std::string markdown_row(const RankedDesign& row, const LoadUnit& unit, bool confirmed) {
   const Json& result = row.evaluation.result;
   const auto load = [&](double newtons) { return fixed(newtons / unit.newtons, unit.decimals); };
   std::string line =
       "| " + (row.rank > 0 ? std::to_string(row.rank) : "\u2013") + (row.tied_with_best ? " \u2248" : "");
   line += " | " + markdown_escaped(row.evaluation.name);
   for (const char* angle : angles) line += " | " + fixed(measured_or_requested(result, angle), 1);
-  line +=
-      " | " + with_interval(row.mean_load / unit.newtons, row.mean_load_ci95 / unit.newtons, unit.decimals);
+  const auto cell = [&](double mean, double ci95) {
+    return " | " + with_interval(mean / unit.newtons, ci95 / unit.newtons, unit.decimals);
+  };
+  line += cell(row.mean_load, row.mean_load_ci95);
+  if (confirmed) line += cell(row.cycle_load, row.cycle_ci95) + cell(row.solver_load, row.solver_ci95);
   line += " | " + load(number_at(result, result_key::max_load)) + " | " + load(row.lindqvist);
   return line + " | " + fixed(row.ratio, 2) + " |\n";
 }
@@ -111,7 +117,8 @@ std::string ranking_csv(const StudyResults& study) {
       "q95_load_N,std_load_N,model_mean_load_N,model_mean_load_ci95_N,lindqvist_crushing_N,lindqvist_bending_"
       "N,"
       "lindqvist_submersion_N,lindqvist_breaking_N,lindqvist_total_N,ratio,tied_with_best,tied_with_next,"
-      "runs,ci95_series_N,ci95_repeats_N,p_best,samples,lindqvist_caution,unlike_ice,wall_s,reason";
+      "runs,ci95_series_N,ci95_repeats_N,cycle_load_N,cycle_load_ci95_N,solver_load_N,solver_load_ci95_N,"
+      "p_best,samples,lindqvist_caution,unlike_ice,wall_s,reason";
   for (const std::string& name : parameters) text += ',' + csv_field(name);
   text += '\n';
   for (const RankedDesign& row : study.ranking.rows) {
@@ -134,13 +141,15 @@ std::string ranking_markdown(const StudyResults& study) {
   if (!words.next.empty()) text += "Next: " + markdown_escaped(words.next) + '\n';
   for (const std::string& remark : words.remarks) text += markdown_escaped(remark) + '\n';
   if (study.ranked() > 0) {
+    const bool confirmed = study.ranking.confirmed.designs > 0;
     text +=
         "\n| rank | design | stem, deg | waterline, deg | buttock, deg | flare, deg | mean load \u00b1 "
         "95\u00a0%, " +
-        unit.name + " | peak, " + unit.name + " | Lindqvist " + compared_part(study.ranking) + ", " +
-        unit.name + " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+        unit.name + (confirmed ? " | cycle, " + unit.name + " | simulated, " + unit.name : "") + " | peak, " +
+        unit.name + " | Lindqvist " + compared_part(study.ranking) + ", " + unit.name +
+        " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|" + (confirmed ? "--:|--:|" : "") + "\n";
     for (const RankedDesign& row : study.ranking.rows)
-      if (row.rank > 0) text += markdown_row(row, unit);
+      if (row.rank > 0) text += markdown_row(row, unit, confirmed);
     text +=
         "\nFull scale. \u2248: not told apart from rank 1 (Welch's test, p of 0.05 or more). Ratio: mean "
         "load over "

@@ -79,6 +79,23 @@ class Place:
         return subprocess.CompletedProcess(words, process.returncode, out, err)
 
 
+def end_at(process, seconds, number):
+    """Sends the signal to a process of Place.start after so many seconds. Whether it fell while the process was under
+    way, and the exit code: None where the process went on for a minute and was killed with its children."""
+    try:
+        process.communicate(timeout=seconds)
+        return False, process.returncode
+    except subprocess.TimeoutExpired:
+        process.send_signal(number)
+    try:
+        process.communicate(timeout=60)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, 9)
+        process.communicate()
+        return True, None
+    return True, process.returncode
+
+
 def lasting(value):
     """A result without what was measured in time."""
     if isinstance(value, dict):

@@ -2,23 +2,24 @@
 """Builds the fuzzers (preset "fuzz": clang, its libFuzzer, address and undefined-behaviour sanitizers) and runs each
 for so many inputs from a small corpus: study files, meshes, stores, results, records between processes, tables of
 designs, and what a report and a checkpoint hold besides. A crash, a hang of 10 s or a broken promise ends it; the input
-is then kept in build/fuzz. With --replay the inputs are made by chance instead, without clang: by the programs replay_*
-of an ordinary build, which leaves the last input beside each."""
+is then kept in build/fuzz, as is the corpus, from which the next run goes on. --keep writes the few files that reach
+most into tests/fuzz/corpus. With --replay the inputs are made by chance instead, without clang: by the programs
+replay_* of an ordinary build, which leaves the last input beside each."""
 import argparse
-import json
-import os
 import pathlib
 import re
 import subprocess
 import sys
-import tarfile
 import tempfile
+import time
 
 import common
+import corpus
 
 BUILD = common.ROOT / "build/fuzz"
-FUZZERS = ("study", "mesh", "store", "result", "files", "records")
-KEPT = common.HERE.parent / "fuzz/corpus.tar.gz"  # what the fuzzers have found worth keeping, a folder each
+FUZZERS = corpus.FUZZERS
+# Longer inputs are slower and reach no more: a small study, mesh, table, store in pages of 512 bytes, result.
+LONGEST = {"study": 4000, "mesh": 2000, "store": 16000, "result": 12000, "files": 4000, "records": 2000}
 
 
 def build():
@@ -68,15 +69,16 @@ def seeds(directory, program):
         (directory / "result/one").write_text(json.dumps({"metrics": {"full_scale": {"mean_load_N": 1}}}))
 
 
-def fuzz(name, corpus, runs, seconds, seed):
-    limit = [f"-max_total_time={seconds}"] if seconds else []
+def fuzz(name, directory, runs, seconds, seed):
+    limit, begin = [f"-max_total_time={seconds}"] if seconds else [], time.time()
     result = subprocess.run([str(BUILD / f"fuzz_{name}"), f"-runs={runs}", *limit, f"-seed={seed}", "-timeout=10",
-                             "-rss_limit_mb=2048", "-max_len=20000", "-print_final_stats=1",
-                             f"-artifact_prefix={BUILD}/found_{name}_", str(corpus)],
+                             "-rss_limit_mb=2048", f"-max_len={LONGEST[name]}", "-print_final_stats=1",
+                             f"-artifact_prefix={BUILD}/found_{name}_", str(directory)],
                             capture_output=True, text=True, errors="replace")
     done = re.search(r"stat::number_of_executed_units:\s*(\d+)", result.stderr)
     covered = re.findall(r"cov: (\d+)", result.stderr)
-    print(f"{name}: {done.group(1) if done else '?'} inputs, {covered[-1] if covered else '?'} edges covered, "
+    print(f"{name}: {done.group(1) if done else '?'} inputs in {time.time() - begin:.0f} s, "
+          f"{covered[-1] if covered else '?'} edges covered, "
           f"{'no finding' if result.returncode == 0 else 'A FINDING'}", flush=True)
     if result.returncode != 0:
         print(result.stderr[-3000:])
@@ -85,11 +87,11 @@ def fuzz(name, corpus, runs, seconds, seed):
     return result.returncode != 0
 
 
-def replay(build, name, corpus, runs):
+def replay(build, name, directory, runs):
     """Of a fuzzer that came without libFuzzer: whether it has found something."""
     program = pathlib.Path(build).resolve() / f"replay_{name}"
     try:
-        result = subprocess.run([str(program), str(runs), str(corpus)], capture_output=True, text=True, errors="replace",
+        result = subprocess.run([str(program), str(runs), str(directory)], capture_output=True, text=True, errors="replace",
                                 timeout=60 + runs / 20)
         words = result.stdout if result.returncode == 0 else f"exit {result.returncode}: {result.stderr[-2000:]}"
         found = result.returncode != 0
@@ -107,19 +109,20 @@ def main():
     parser.add_argument("--only", choices=FUZZERS, action="append")
     parser.add_argument("--replay", metavar="BUILD", help="directory of an ordinary build: no clang, no coverage")
     parser.add_argument("--program", default=str(common.ROOT / "build/release/icebow"), help="for the corpus")
+    parser.add_argument("--keep", action="store_true", help="the best of the corpus in tests/fuzz/corpus")
     chosen = parser.parse_args()
-    if not chosen.replay:
-        build()
-    with tempfile.TemporaryDirectory(prefix="icebow_corpus_") as directory:
-        if KEPT.exists():
-            with tarfile.open(KEPT) as kept:
-                kept.extractall(directory)
-        seeds(pathlib.Path(directory), chosen.program)
-        if chosen.replay:
-            return 1 if sum(replay(chosen.replay, name, pathlib.Path(directory) / name, chosen.runs)
-                            for name in chosen.only or FUZZERS) else 0
-        found = sum(fuzz(name, pathlib.Path(directory) / name, chosen.runs, chosen.seconds, chosen.seed)
-                    for name in chosen.only or FUZZERS)
+    names = chosen.only or FUZZERS
+    if chosen.replay:
+        with tempfile.TemporaryDirectory(prefix="icebow_corpus_") as place:
+            corpus.gathered(pathlib.Path(place), chosen.program)
+            return 1 if sum(replay(chosen.replay, name, pathlib.Path(place) / name, chosen.runs) for name in names) else 0
+    build()
+    inputs = BUILD / "corpus"
+    inputs.mkdir(exist_ok=True)
+    corpus.gathered(inputs, chosen.program)
+    found = sum(fuzz(name, inputs / name, chosen.runs, chosen.seconds, chosen.seed) for name in names)
+    for name in names if chosen.keep and not found else ():
+        corpus.keep(BUILD / f"fuzz_{name}", name, inputs / name, min(4000, LONGEST[name]))
     return 1 if found else 0
 
 

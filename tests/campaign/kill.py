@@ -5,7 +5,6 @@ until it ends by itself. What it comes to must equal the undisturbed study bit f
 history, the ranking."""
 import random
 import signal
-import subprocess
 import sys
 import time
 
@@ -22,23 +21,6 @@ CASES = {"isolated, repeats": (GRID, 0), "isolated, optimiser": (OPTIMISER, 0), 
          "embedded, 2 ranks, repeats": (GRID, 2), "embedded, 2 ranks, optimiser": (OPTIMISER, 2),
          "embedded, 2 ranks, race": (RACE, 2)}
 OFTEN = {"ICEBOW_CHECKPOINT_SECONDS": "0.02"}  # so that many a blow falls while one is written
-
-
-def end_at(place, words, ranks, seconds, number):
-    """Sends the signal to the program's group after so many seconds. Whether it fell, and the exit code."""
-    process = place.start(*words, ranks=ranks, extra=OFTEN)
-    try:
-        process.communicate(timeout=seconds)
-        return False, process.returncode
-    except subprocess.TimeoutExpired:
-        process.send_signal(number)
-    try:
-        process.communicate(timeout=60)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        return True, None
-    return True, process.returncode
 
 
 def reference(place, name, document, ranks):
@@ -59,7 +41,8 @@ def attack(program, name, document, ranks, wanted, signals, dice):
             words = ("run", path, "--out", out)
             for _ in range(6):
                 number = dice.choice(signals)
-                fell, code = end_at(place, words, ranks, dice.uniform(0.05, seconds), number)
+                process = place.start(*words, ranks=ranks, extra=OFTEN)
+                fell, code = common.end_at(process, dice.uniform(0.05, seconds), number)
                 if not fell:
                     break
                 blows[number] += 1

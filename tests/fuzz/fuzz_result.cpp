@@ -21,21 +21,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   ReportContent content;
-  for (const char* by : {"mean_load", "lindqvist_breaking"}) {
-    content.study.ranking = rank_designs({e, e}, by);
-    content.designs.assign(content.study.ranking.rows.size(), DesignContent());
-    content.unit = load_unit(content.study.ranking);
-    to_json(content.study.ranking);
-    json_text(ranking_view(content));
-    json_text(unranked_view(content));
-    json_text(podium_view(content));
-    json_text(method_view(content));
-    for (std::size_t i = 0; i < content.designs.size(); ++i) {
-      Json card = card_head_view(content, i);
-      card["open"] = true, card["body"] = rendered("card_body", card_body_view(content, i));
-      rendered("card", card);
-    }
-    json_text(chart_data(content, fit_response(content.study.ranking)));
+  content.study.ranking = rank_designs({e, e}, size % 2 == 0 ? "mean_load" : "lindqvist_breaking");
+  content.designs.assign(content.study.ranking.rows.size(), DesignContent());
+  content.unit = load_unit(content.study.ranking);
+  to_json(content.study.ranking);
+  json_text(ranking_view(content));
+  json_text(unranked_view(content));
+  json_text(podium_view(content));
+  json_text(method_view(content));
+  for (std::size_t i = 0; i < content.designs.size(); ++i) {
+    Json card = card_head_view(content, i);
+    card["open"] = true, card["body"] = rendered("card_body", card_body_view(content, i));
+    rendered("card", card);
   }
+  json_text(chart_data(content, fit_response(content.study.ranking)));
   return 0;
 }

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     double designs = spec.method.samples + spec.designs.size();
     for (const Variable& v : spec.method.variables)
       designs *= v.values.empty() ? v.levels + 1 : v.values.size();
-    if (designs * spec.repeats < 50) plan_study(spec);
+    if (designs * spec.repeats < 10) plan_study(spec);
   } catch (const InputError&) {
   }
   return 0;

@@ -1,10 +1,13 @@
 #include "reports/tables/table_report.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <sstream>
 
+#include "study/plan/confirmation.h"
+#include "study/store/store.h"
 #include "tests/support/sample_study.h"
 #include "tests/support/scratch.h"
 
@@ -73,6 +76,48 @@ TEST_CASE("ranking.csv gives every number back to the last bit") {
     CHECK(std::strtod(fields["lindqvist_breaking_N"].c_str(), nullptr) == ranked.lindqvist_breaking);
     CHECK(fields["tied_with_best"] == (ranked.tied_with_best ? "1" : "0"));
   }
+}
+
+TEST_CASE("a study that confirms has the cycle's and the simulated load in its tables, with intervals") {
+  const Scratch study("confirmed");
+  SampleStudy options;
+  options.odd_name = "odd";
+  write_sample_study(study.path(), options);
+  {
+    Store store = Store::open(study.path() + "/results.sqlite");
+    const std::vector<Evaluation> all = store.all();
+    int n = 0;
+    for (Evaluation e : all) {
+      if (e.status != EvaluationStatus::ok) continue;
+      ++n;
+      e.result["cycle"] = {{"mean_load_N", 4e5 + 1e3 * n}, {"mean_load_ci95_N", 1e4}};
+      Evaluation simulated = e;
+      simulated.name = confirmation_name(e.name), simulated.key = e.key + "@";
+      e.result["metrics"]["full_scale"]["mean_load_N"] = 4e5 + 1e3 * n;
+      store.put(e);
+      if (n < 3) store.put(simulated);
+    }
+  }
+  write_table_reports(study.path());
+  const StudyResults results = read_study_results(study.path());
+  REQUIRE(results.ranking.confirmed.designs == 2);
+  const auto rows = parse_csv(read_text_file(study.path() + "/ranking.csv"));
+  const auto number = [](const std::string& field) { return std::strtod(field.c_str(), nullptr); };
+  int simulated = 0;
+  for (const RankedDesign& ranked : results.ranking.rows) {
+    if (ranked.rank == 0) continue;
+    auto fields = row_named(rows, ranked.evaluation.name);
+    CHECK(number(fields["cycle_load_N"]) == ranked.cycle_load);
+    CHECK(number(fields["cycle_load_ci95_N"]) == 1e4);
+    CHECK(fields["solver_load_N"].empty() == std::isnan(ranked.solver_load));
+    if (std::isnan(ranked.solver_load)) continue;
+    ++simulated;
+    CHECK(number(fields["solver_load_N"]) == ranked.solver_load);
+    CHECK(number(fields["solver_load_ci95_N"]) == ranked.solver_ci95);
+  }
+  CHECK(simulated == 2);
+  CHECK(read_text_file(study.path() + "/ranking.md").find("| cycle, MN | simulated, MN |") !=
+        std::string::npos);
 }
 
 TEST_CASE("ranking.md has the verdict, a row for each ranked design and the reasons of the others") {

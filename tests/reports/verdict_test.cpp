@@ -59,7 +59,7 @@ TEST_CASE("confirmed by few simulations the order is told, and the level is said
   const Verdict words = verdict(study);
   CHECK(words.ranks);
   CHECK(says_in(words.headline, "b has the lowest mean ice load"));
-  CHECK(says_in(words.headline, "16\u00a0% below the baseline (p < 0.001)"));
+  CHECK(says_in(words.headline, "16\u00a0\u00b1\u00a04\u00a0% below the baseline (p < 0.001)"));
   CHECK(
       says(words,
            "The level of the loads is not known: its interval is wider than the mean after 2 simulations."));
@@ -76,10 +76,12 @@ TEST_CASE("an interval that is not known is not made up") {
 TEST_CASE("the baseline is compared with where it is another design, with the test of the difference") {
   const Verdict words = verdict(study_of({measured("baseline", 1.0e6, 5e4), measured("b", 0.75e6, 6e4)}));
   CHECK(words.headline ==
-        "b has the lowest mean ice load, 0.75\u00a0\u00b1\u00a00.06\u00a0MN, 25\u00a0% below the baseline (p "
+        "b has the lowest mean ice load, 0.75\u00a0\u00b1\u00a00.06\u00a0MN, 25\u00a0\u00b1\u00a08\u00a0% "
+        "below the baseline (p "
         "< 0.001).");
   const Verdict near = verdict(study_of({measured("baseline", 0.8e6, 5e4), measured("b", 0.75e6, 6e4)}));
-  CHECK(near.headline.find("6\u00a0% below the baseline (p = 0.21: not told apart)") != std::string::npos);
+  CHECK(near.headline.find("6\u00a0\u00b1\u00a010\u00a0% below the baseline (p = 0.21: not told apart)") !=
+        std::string::npos);
 }
 
 TEST_CASE("records that are too short rank nothing, and say how far to sail") {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "solver/model/drift.h"
 #include "solver/model/statistics.h"
 
 namespace icebow {
@@ -10,6 +11,7 @@ namespace icebow {
 struct Metrics {
   LoadStatistics resistance;                  // -Fx
   LoadStatistics vertical;                    // Fz
+  Drift drift;                                // of the resistance
   double steady_from = 0.0, steady_to = 0.0;  //!< advance [m]
   std::int64_t broken_bonds = 0;              // each bond once
   std::int64_t bonds = 0;                     // in the reference configuration

@@ -116,6 +116,7 @@ Metrics measure(const Communicator& comm, const QuadMesh& hull, const Scenario& 
     metrics.steady_to = row.advance;
   }
   metrics.resistance = series_statistics(resistance);
+  metrics.drift = drift_of(resistance);
   metrics.vertical = series_statistics(vertical);
   std::int64_t bonds = stepper.sheet().bonds() + stepper.broken_bonds();
   comm.sum(&bonds, 1);

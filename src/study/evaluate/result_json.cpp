@@ -147,6 +147,7 @@ Json metrics_json(const RunResult& run, double lambda) {
   add_ice_extent(json, m, 1.0);
   json["samples"] = m.resistance.samples;
   json["effective_samples"] = finite_or_null(m.resistance.effective_samples);
+  json["drift"] = {{"relative", finite_or_null(m.drift.relative)}, {"p", finite_or_null(m.drift.p)}};
   json["broken_bonds"] = m.broken_bonds;
   json["bonds"] = m.bonds;
   json["mean_damage"] = finite_or_null(m.mean_damage);

@@ -94,6 +94,8 @@ constexpr const char* model_vertical_mean_ci95 = "/metrics/vertical_mean_ci95_N"
 constexpr const char* model_steady_from = "/metrics/steady_from_m";
 constexpr const char* model_steady_to = "/metrics/steady_to_m";
 constexpr const char* effective_samples = "/metrics/effective_samples";
+constexpr const char* drift = "/metrics/drift/relative";
+constexpr const char* drift_p = "/metrics/drift/p";
 constexpr const char* channel_width_over_beam = "/metrics/channel_width_over_beam";
 constexpr const char* pieces = "/metrics/floes";
 constexpr const char* broken_volume = "/metrics/broken_volume_m3";
@@ -211,6 +213,8 @@ constexpr const char* of_every_run[] = {beam,
                                         model_steady_from,
                                         model_steady_to,
                                         effective_samples,
+                                        drift,
+                                        drift_p,
                                         channel_width_over_beam,
                                         pieces,
                                         broken_volume,

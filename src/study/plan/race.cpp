@@ -27,6 +27,11 @@ void mark(const std::vector<MeanEstimate>& loads, std::size_t a, std::size_t b, 
 
 }  // namespace
 
+MeanEstimate load_in_race(MeanEstimate load, const Drift& drift) {
+  if (drift.told()) load.standard_error = std::numeric_limits<double>::infinity();
+  return load;
+}
+
 RaceStanding standing(const std::vector<MeanEstimate>& loads, const std::vector<bool>& in, int leg,
                       const RaceRule& rule) {
   RaceStanding s;

@@ -10,10 +10,16 @@
 // ends with a bow that is worse by more than best_within only so. The sum over the others and the legs is at
 // most sum a_k = 1 - confidence, with a_k = (1 - confidence) / (k (k + 1)), however many legs there are
 // (Bonferroni). best_within is counted on the leader's measured load.
+//
+// The proof takes each load for the mean of one process. The mean of a record that drifts is none, so its
+// error counts as not known: the bow neither wins nor puts out another one, and is sailed on. This can only
+// keep a race open.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "solver/model/drift.h"
 #include "solver/model/mean_difference.h"
 
 namespace icebow {
@@ -30,6 +36,9 @@ struct RaceStanding {
   double most_above_best = 0.0;  // of the leader's load: the leader is not farther above the best; may be inf
   bool decided = false;
 };
+
+// What a record counts for in the race: its error is not known where it drifts.
+MeanEstimate load_in_race(MeanEstimate load, const Drift& drift);
 
 // After leg `leg` (1, 2 ...). `in` says which designs were in before it: all of them in the first leg. At
 // least one must be in. A design that is out stays out, but counts among the designs compared.

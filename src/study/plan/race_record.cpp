@@ -48,8 +48,26 @@ std::string so_far(const RaceRecord& record) {
 }
 
 std::string above(const RaceLeg& leg) {
-  if (!std::isfinite(leg.most_above_best)) return "; the records are too short to say how far above the best";
+  if (!std::isfinite(leg.most_above_best))
+    return std::string("; the records ") + (leg.drifts.empty() ? "are too short" : "drift or are too short") +
+           " to say how far above the best";
   return text(", and is at most %.0f %% above the lowest mean load", std::ceil(100.0 * leg.most_above_best));
+}
+
+// Of designs that may be the best.
+std::string drifts_in_words(const RaceLeg& leg) {
+  std::string words;
+  for (const auto& [name, relative] : leg.drifts) {
+    if (!is_in(leg, name)) continue;
+    words += (words.empty() ? " The load of " : ", of ") + name;
+    if (std::isfinite(relative))
+      words += text(" (its second half %.0f %% %s the first)", 100.0 * std::fabs(relative),
+                    relative > 0.0 ? "above" : "below");
+  }
+  return words.empty()
+             ? ""
+             : words + " drifts where it is counted, so it neither wins nor puts another one out: " +
+                   "sail on, or let the counted part begin later (operation.steady_from_m).";
 }
 
 std::string why_it_ended(const RaceRecord& record) {
@@ -80,6 +98,7 @@ Json to_json(const RaceRecord& record) {
     legs.push_back({{"sailed_to_m", lengths_json(leg.sailed)},
                     {"in", leg.in},
                     {"leader", leg.leader},
+                    {"drifts", lengths_json(leg.drifts)},
                     {"most_above_best", finite_or_null(leg.most_above_best)},
                     {"core_hours", leg.core_hours}});
   std::string state;
@@ -106,6 +125,7 @@ RaceRecord race_record_from_json(const Json& json) {
     RaceLeg leg;
     leg.sailed = lengths_from(one.at("sailed_to_m"));
     leg.in = one.at("in").get<std::vector<std::string>>();
+    if (one.contains("drifts")) leg.drifts = lengths_from(one.at("drifts"));
     leg.leader = one.at("leader").get<std::string>();
     const double most = number_at(one, "/most_above_best");
     leg.most_above_best = std::isfinite(most) ? most : std::numeric_limits<double>::infinity();
@@ -125,20 +145,22 @@ std::string race_in_words(const RaceRecord& record) {
       text(" of %d designs, at a confidence of %.4g %% (", designs, 100.0 * record.confidence) +
       so_far(record) + ").";
   if (record.state == RaceState::decided && last.in.size() == 1)
-    return "Decided: " + last.leader + " has the lowest mean load" + sure;
+    return "Decided: " + last.leader + " has the lowest mean load" + sure + drifts_in_words(last);
   if (record.state == RaceState::decided)
     return "Decided: " + last.leader +
-           text(" is at most %.3g %% above the lowest mean load", 100.0 * last.most_above_best) + sure;
-  return "Not decided: " + last.leader + " leads" + above(last) + sure + " " + others_in_words(last) + ". " +
-         why_it_ended(record);
+           text(" is at most %.3g %% above the lowest mean load", 100.0 * last.most_above_best) + sure +
+           drifts_in_words(last);
+  return "Not decided: " + last.leader + " leads" + above(last) + sure + " " + others_in_words(last) + "." +
+         drifts_in_words(last) + " " + why_it_ended(record);
 }
 
 std::string place_in_race(const RaceRecord& record, const std::string& design) {
   if (!record.given() || record.legs.back().sailed.count(design) == 0) return "";
-  if (record.legs.back().leader == design) return "leads";
+  const bool drifts = record.legs.back().drifts.count(design) > 0;
+  if (record.legs.back().leader == design) return drifts ? "leads, but drifts" : "leads";
   for (std::size_t n = 0; n < record.legs.size(); ++n)
     if (!is_in(record.legs[n], design)) return "out in leg " + std::to_string(n + 1);
-  return "may be the lowest";
+  return drifts ? "drifts, may be the lowest" : "may be the lowest";
 }
 
 }  // namespace icebow

@@ -21,8 +21,9 @@ struct RaceLeg {
   std::map<std::string, double> sailed;  //!< by design: so far, full scale [m]
   std::vector<std::string> in;           // designs that may be the best, after this leg
   std::string leader;
-  double most_above_best = 0.0;  // of the leader's load; infinite where a record is too short to say
-  double core_hours = 0.0;       // of all voyages so far
+  double most_above_best = 0.0;          // of the leader's load; infinite where a record is too short to say
+  double core_hours = 0.0;               // of all voyages so far
+  std::map<std::string, double> drifts;  // by design whose record drifts: second half over first, minus 1
 };
 
 struct RaceRecord {
@@ -44,7 +45,8 @@ RaceRecord race_record_from_json(const Json& json);
 // "Decided: d003 is at most 4 % above the lowest mean load of 10 designs ..."; empty where there was no race.
 std::string race_in_words(const RaceRecord& record);
 
-// What is said of one design: "leads", "may be the lowest", "out in leg 2"; empty where it did not race.
+// What is said of one design: "leads", "may be the lowest", "drifts, may be the lowest", "out in leg 2";
+// empty where it did not race.
 std::string place_in_race(const RaceRecord& record, const std::string& design);
 
 }  // namespace icebow

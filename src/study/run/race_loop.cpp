@@ -24,6 +24,7 @@ constexpr double rounding = 1.0 + 1e-9;
 struct Racer {
   const PlannedDesign* planned = nullptr;
   MeanEstimate load;
+  Drift drift;
   double sailed = 0.0, core_hours = 0.0;
   bool can_go_on = true;
 };
@@ -100,6 +101,8 @@ void Race::look() {
     racer.load = value_estimate(row, spec_.rank_by);
     if (racer.load.degrees_of_freedom + 1.0 < fewest_samples)
       racer.load.standard_error = std::numeric_limits<double>::infinity();
+    racer.drift.relative = number_at(result, result_key::drift);
+    racer.drift.p = number_at(result, result_key::drift_p);
     racer.sailed = number_at(result, result_key::sailed_to);
     const double seconds = number_at(result, result_key::simulation_seconds);
     racer.core_hours = std::isfinite(seconds) ? seconds * number_at(result, result_key::ranks) / 3600.0 : 0.0;
@@ -136,15 +139,16 @@ void Race::judge() {
   if (!record_.legs.empty() && record_.legs.back().sailed == now) record_.legs.pop_back();
   std::vector<MeanEstimate> loads;
   std::vector<bool> in;
+  RaceLeg judged;
   for (const Racer& racer : racers_) {
-    loads.push_back(racer.load);
+    loads.push_back(load_in_race(racer.load, racer.drift));
+    if (racer.drift.told()) judged.drifts[racer.planned->design.name] = racer.drift.relative;
     in.push_back(record_.legs.empty() || is_in(record_.legs.back(), racer.planned->design.name));
   }
   // Those that were in may have left the study since: then all race again.
   if (std::find(in.begin(), in.end(), true) == in.end()) in.assign(racers_.size(), true);
   const int leg = static_cast<int>(record_.legs.size()) + 1;
   standing_ = standing(loads, in, leg, {record_.best_within, record_.confidence});
-  RaceLeg judged;
   judged.sailed = now;
   for (std::size_t i = 0; i < racers_.size(); ++i)
     if (standing_.in[i]) judged.in.push_back(racers_[i].planned->design.name);

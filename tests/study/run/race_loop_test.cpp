@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "solver/model/drift.h"
 #include "solver/model/statistics.h"
 #include "study/plan/ranking.h"
 #include "study/store/design_files.h"
@@ -104,6 +105,40 @@ TEST_CASE("a study that decides sails on what is open, and rests what is out") {
   CHECK(place_in_race(record, "d003") == "out in leg 1");
   CHECK_THAT(outcome.notes.back(), Catch::StartsWith("Decided: d001"));
   CHECK_FALSE(fs::exists(design_directory(directory, "d001") + "/" + checkpoint_name));
+}
+
+TEST_CASE("a voyage that drifts is sailed on, and does not win before it has come to rest") {
+  const TemporaryDirectory folder;
+  // The steep bow, in truth the worst, begins far too low.
+  RunSettings s = settings(folder / "study");
+  bool always = false;
+  s.evaluate = [&](const Communicator& comm, const Design& d, const EvaluateOptions& o) {
+    Evaluation e = sail(comm, d, o);
+    const bool drifts = d.name == "d003" && (always || d.given->advance < 150.0);
+    if (drifts) e.result["metrics"]["full_scale"]["mean_load_N"] = 0.2e6;
+    e.result["metrics"]["drift"] = {{"relative", drifts ? 0.8 : 0.01}, {"p", drifts ? 1e-4 : 0.5}};
+    return e;
+  };
+  const StudyOutcome outcome = run(three_bows, s);
+  RaceRecord record = read_race(store_in(folder / "study"));
+  REQUIRE(record.legs.size() > 1);
+  CHECK(record.legs[0].leader == "d003");
+  CHECK(record.legs[0].in.size() == 4);  // it puts nobody out
+  CHECK(record.legs[0].drifts == std::map<std::string, double>{{"d003", 0.8}});
+  CHECK(record.state == RaceState::decided);
+  CHECK(outcome.best == "d001");
+  CHECK(sailed(store_in(folder / "study"), "d003") >= 150.0);
+
+  always = true;
+  s.directory = folder / "never";
+  const StudyOutcome never = run(with(R"({"decide": {"best_within": 0.05, "longest_m": 200}})"), s);
+  record = read_race(store_in(folder / "never"));
+  CHECK(record.state == RaceState::longest);
+  CHECK(place_in_race(record, "d003") == "leads, but drifts");
+  CHECK_THAT(never.notes.back(),
+             Catch::Contains("Not decided") &&
+                 Catch::Contains("The load of d003 (its second half 80 % above the first)") &&
+                 Catch::Contains("operation.steady_from_m"));
 }
 
 TEST_CASE("a race that is cut short anywhere ends as one that was not") {
