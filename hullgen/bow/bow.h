@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/units.h"
 #include "geometry/quad_mesh.h"
 
 namespace icebow {
@@ -36,6 +37,20 @@ struct BowAngles {
   double flare = 0.0;      //!< [rad] from the vertical
 };
 
+// What stands in the centre plane of a bow of any family: equations (11) to (13) of docs/bows.md. A stem
+// radius or a height of 0 means none of it; a width of 0 that of the stem bar, or B/40 where the stem is
+// sharp.
+struct CentrePlane {
+  double stem_radius = 0.0;       //!< of the stem bar, in the design waterline [m]
+  double knife_height = 0.0;      //!< of the ice knife under the forefoot, from the keel up [m]
+  double knife_width = 0.0;       //!< its breadth where it meets the bow [m]
+  double knife_angle = 0.5 * pi;  //!< of its edge, against the horizontal [rad]
+  double skeg_height = 0.0;       //!< of the skeg, from the bottom down [m]
+  double skeg_length = 0.0;       //!< from the fore end of the bottom, at its root [m]
+  double skeg_width = 0.0;        //!< its breadth at its root [m]
+  double skeg_angle = 0.25 * pi;  //!< of its ends, against the horizontal [rad]
+};
+
 struct BowParameters {
   BowFamily family = BowFamily::straight_parallel_buttocks;
   AnglesAt angles_at = AnglesAt::stem_and_quarter_beam;  // `angles` below are the same four either way
@@ -50,21 +65,23 @@ struct BowParameters {
   double belt_above = 1.0;   //!< and this far above it [m]
   double reamer_step = 0.0;  //!< the bow is wider than B by this on either side; spoon with reamers only [m]
   double chine = 0.0;        // the crease's share of the half-beam; semi-spoon with chines only
+  CentrePlane centre;
 };
 
 // One feasibility inequality, written so that value >= 0 means satisfied.
 struct Margin {
-  std::string name;      // "g1"
-  double value = 0.0;    // [m] g1, g2, g5; cotangents g3, g4; [rad] g6; g7 [m] or [rad]: docs/bows.md
+  std::string name;  // "g1"
+  double value =
+      0.0;  // [m] g1, g2, g5, g8 to g10; cotangents g3, g4; [rad] g6; g7 [m] or [rad]: docs/bows.md
   bool required = true;  // a margin that is only reported (convexity of a hollow waterline) is false
   std::string sentence;  // what it means and, where negative, which parameter to move which way
 };
 
 struct BowFeasibility {
   bool feasible = false;
-  std::vector<Margin>
-      margins;  // g1 to g6, and g7 of a bow with reamers or chines; -1 where a value cannot be computed
-  std::string reason;  // the violated inequalities in words; empty where feasible
+  std::vector<Margin> margins;  // g1 to g6, g7 of reamers or chines, g8 of a stem radius, g9 of an ice knife,
+                                // g10 of a skeg; -1 where a value cannot be computed
+  std::string reason;           // the violated inequalities in words; empty where feasible
 };
 
 enum class HullStatus { ok, infeasible, mesh_rejected };
@@ -79,6 +96,7 @@ struct Hull {
   BowAngles measured;   // read back from the mesh
   double waterline_at_quarter_beam = 0.0;  //!< derived angle at P1 [rad]
   double flare_at_stem = 0.0;              //!< derived angle at P0 [rad]
+  double stem_radius = 0.0;  //!< read back from the mesh of a generated bow; 0: a sharp stem [m]
 };
 
 }  // namespace icebow

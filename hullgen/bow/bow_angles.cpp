@@ -21,18 +21,28 @@ constexpr double angle_tolerance = radians(0.05);
 
 using Row = std::vector<Sample>;
 
-// Slope at `at` of the parabola through the three samples nearest to it.
-double slope(Row row, double at) {
-  if (row.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+// Value and slope at `at` of the parabola through the three samples nearest to it.
+struct Parabola {
+  double value, slope;
+};
+Parabola parabola(Row row, double at) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (row.size() < 3) return {none, none};
   std::partial_sort(row.begin(), row.begin() + 3, row.end(), [at](const Sample& a, const Sample& b) {
     return std::abs(a.along - at) < std::abs(b.along - at);
   });
-  double result = 0.0;  // sum of s_i L_i'(at), L_i Lagrange's polynomials
+  Parabola result{0.0, 0.0};  // sums of s_i L_i(at) and s_i L_i'(at), L_i Lagrange's polynomials
   for (int i = 0; i < 3; ++i) {
     const Sample &p = row[i], &q = row[(i + 1) % 3], &r = row[(i + 2) % 3];
-    result += p.s * (2.0 * at - q.along - r.along) / ((p.along - q.along) * (p.along - r.along));
+    const double weight = p.s / ((p.along - q.along) * (p.along - r.along));
+    result.value += weight * (at - q.along) * (at - r.along);
+    result.slope += p.s * (2.0 * at - q.along - r.along) / ((p.along - q.along) * (p.along - r.along));
   }
   return result;
+}
+
+double slope(const Row& row, double at) {
+  return parabola(row, at).slope;
 }
 
 struct Rows {
@@ -60,6 +70,15 @@ Rows rows_of(const QuadMesh& mesh, double B) {
   return rows;
 }
 
+// Of the waterline, the part outside the stem's rounding.
+Row outside(Row waterline, double rounded, double B) {
+  const double from = rounded > 0.0 ? rounded - 1e-6 * B : -B;
+  waterline.erase(
+      std::remove_if(waterline.begin(), waterline.end(), [from](const Sample& s) { return s.along < from; }),
+      waterline.end());
+  return waterline;
+}
+
 }  // namespace
 
 BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, double entrance) {
@@ -67,17 +86,24 @@ BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, 
           std::atan2(std::sin(waterline) * std::cos(buttock), std::cos(waterline) * std::sin(buttock))};
 }
 
-BowAngles measure_angles(const QuadMesh& mesh, double B) {
+BowAngles measure_angles(const QuadMesh& mesh, double B, double rounded) {
   const Rows rows = rows_of(mesh, B);
   const double yq = B / 4.0;
   const double buttock = -slope(rows.quarter_buttock, 0.0);  // cotangent
   const double waterline = 0.5 * (slope(rows.waterline_fore, yq) + slope(rows.waterline_aft, yq));
   BowAngles angles;
   angles.stem = std::atan2(1.0, -slope(rows.centreline, 0.0));
-  angles.waterline = std::atan2(1.0, slope(rows.waterline_fore, 0.0));
+  angles.waterline = std::atan2(1.0, slope(outside(rows.waterline_fore, rounded, B), 0.0));
   angles.buttock = std::atan2(1.0, buttock);
   angles.flare = std::atan2(buttock, waterline);  // tan(flare) = tan(waterline) / tan(buttock), both at P1
   return angles;
+}
+
+double measured_stem_radius(const QuadMesh& mesh, double B, double rounded) {
+  const Rows rows = rows_of(mesh, B);
+  const Parabola sides = parabola(outside(rows.waterline_fore, rounded, B), 0.0);
+  const double back = parabola(rows.centreline, 0.0).value - sides.value;
+  return back / (std::hypot(1.0, sides.slope) - 1.0);  // 1 / sin(waterline), slope its cotangent
 }
 
 double largest_difference(const BowAngles& a, const BowAngles& b) {

@@ -15,8 +15,13 @@ BowAngles angles_at_quarter_beam(double stem, double waterline, double buttock, 
 // From vertices of the bow patch alone: profile, design waterline and the buttock at B/4 are vertex rows of
 // the mesh. Each slope is that of the parabola through the three vertices nearest to P0 or P1, one-sided
 // where the surface has a crease or its curvature jumps. An angle that cannot be read, because the row is
-// missing, is NaN. B is the beam of the bow.
-BowAngles measure_angles(const QuadMesh& mesh, double B);
+// missing, is NaN. B is the beam of the bow. With a stem rounded up to `rounded` [m] off the centre plane the
+// waterline angle is that of the sides outside it, extended to the centre plane.
+BowAngles measure_angles(const QuadMesh& mesh, double B, double rounded = 0.0);
+
+// Of the bar at the stem at the design waterline [m], from how far its nose lies behind the point in which
+// the sides outside `rounded` would meet: r = d / (1 / sin(waterline) - 1). NaN where the row is missing.
+double measured_stem_radius(const QuadMesh& mesh, double B, double rounded);
 
 // Largest difference of two sets [rad]; NaN counts as infinite.
 double largest_difference(const BowAngles& a, const BowAngles& b);

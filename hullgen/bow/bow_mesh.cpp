@@ -10,6 +10,7 @@
 #include "hullgen/bow/bow_grid.h"
 #include "hullgen/bow/bow_surface.h"
 #include "hullgen/bow/ring_thinning.h"
+#include "hullgen/bow/skeg.h"
 #include "hullgen/bow/spacing.h"
 
 namespace icebow {
@@ -17,7 +18,7 @@ namespace {
 
 class HullBuilder {
  public:
-  HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel);
+  HullBuilder(const BowSurface& bow, const BowGrid& grid, const Skeg& skeg, double L, double panel);
   QuadMesh build();
 
  private:
@@ -32,12 +33,14 @@ class HullBuilder {
   void add(Patch patch, int a, int b, int c, int d);
   void add_bow();
   void add_reamers();
+  std::vector<double> stations() const;
   void add_tube();
   void join(const std::vector<int>& fore, const std::vector<int>& aft);
   void add_transom();
 
   const BowSurface& bow_;
   const BowGrid& grid_;
+  const Skeg& skeg_;
   double L_, panel_;
   RingThinning thinning_;
   bool on_reamer_ = false;      // the current station is on the step
@@ -46,8 +49,13 @@ class HullBuilder {
   QuadMesh mesh_;
 };
 
-HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, double L, double panel)
-    : bow_(bow), grid_(grid), L_(L), panel_(panel), thinning_(bow, grid, panel) {
+HullBuilder::HullBuilder(const BowSurface& bow, const BowGrid& grid, const Skeg& skeg, double L, double panel)
+    : bow_(bow),
+      grid_(grid),
+      skeg_(skeg),
+      L_(L),
+      panel_(panel),
+      thinning_(bow, grid, skeg.half_width, panel) {
   for (int j = -ny(); j < ny(); ++j) ring_.push_back({j, 0});
   for (int i = 0; i < nz(); ++i) ring_.push_back({ny(), i});
   for (int j = ny(); j > -ny(); --j) ring_.push_back({j, nz()});
@@ -125,20 +133,34 @@ void HullBuilder::add_reamers() {
   on_reamer_ = false;
 }
 
+// By their share of the way from the bow's edge to the transom, measured along the side at the waterline. The
+// ends of a skeg begin and end at stations.
+std::vector<double> HullBuilder::stations() const {
+  const double length = L_ - (bow_.Lf - bow_.setback) - bow_.reamer;
+  const auto along = [&](double share) { return Vec3(share * length, 0.0, 0.0); };
+  std::vector<double> ends = skeg_.shares(), shares{0.0};
+  ends.push_back(1.0);
+  for (const double end : ends) {
+    const double from = shares.back();
+    if (end - from < 1e-9) continue;
+    const auto wanted = [&](double, double run) {
+      return std::min(panel_ + 0.25 * (from * length + run), thinning_.longest_cell());
+    };
+    const std::vector<double> piece = graded(along, from, end, wanted, ends.size() == 1 ? 4 : 1);
+    shares.insert(shares.end(), piece.begin() + 1, piece.end());
+  }
+  return shares;
+}
+
 void HullBuilder::add_tube() {
-  // Stations by their share of the way from the bow's edge to the transom, measured along the side at the
-  // waterline.
-  const double length = L_ - bow_.Lf - bow_.reamer;
-  const auto wanted = [&](double, double run) {
-    return std::min(panel_ + 0.25 * run, thinning_.longest_cell());
-  };
-  const std::vector<double> shares =
-      graded([&](double share) { return Vec3(share * length, 0.0, 0.0); }, 0.0, 1.0, wanted, 4);
+  const double length = L_ - (bow_.Lf - bow_.setback) - bow_.reamer;
+  const std::vector<double> shares = stations();
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const double cell = (shares[k] - shares[k - 1]) * length;
     const auto place = [&](GridNode c) {
       Vec3 p = tube_point(c);
       p.x() += shares[k] * (-L_ - p.x());
+      if (c.i == 0) p.z() -= skeg_.depth(shares[k], grid_.eta[std::abs(c.j)]);
       return p;
     };
     thinning_.advance(cell, place);
@@ -193,8 +215,10 @@ double panel_size(const BowParameters& bow) {
 QuadMesh bow_mesh(const BowParameters& bow) {
   const BowSurface surface = bow_surface(bow);
   const double panel = panel_size(bow);
-  const BowGrid grid = bow_grid(surface, panel, family_form(bow.family).graded_by_curvature);
-  return HullBuilder(surface, grid, bow.L, panel).build();
+  const Skeg skeg = skeg_of(bow);
+  const BowGrid grid =
+      bow_grid(surface, panel, family_form(bow.family).graded_by_curvature, {skeg.half_width});
+  return HullBuilder(surface, grid, skeg, bow.L, panel).build();
 }
 
 }  // namespace icebow

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "hullgen/bow/bow_surface.h"
 #include "hullgen/bow/dimensions.h"
+#include "hullgen/bow/skeg.h"
 
 namespace icebow {
 namespace {
@@ -32,13 +33,22 @@ double waterline_integral(const BowSurface& b) {
   return fore + b.yq * (b.s1 + b.yq * aft);
 }
 
+// What the rounding of the stem takes from half a waterplane: half the tangents' kite less the sector [m^2].
+double taken_by_rounding(const BowSurface& b, double z) {
+  const double c = b.entrance(z), h = b.stem_half_width;
+  const double share = c > 1e-3 ? (c - std::atan(c)) / (c * c) : c / 3.0 - c * c * c / 5.0;
+  return 0.5 * h * h * (1.0 + c * c) * share;
+}
+
 // Area of port's waterplane at a height, from the bow to a transom at L.
 double half_area(const BowSurface& b, double waterline, double L, double z) {
   const double hb = b.half_beam(), r = b.half_breadth(z), drop = b.c_buttock * b.run(z) + b.forefoot(z);
-  const double ahead =  // of S over eta
+  double ahead =  // of S over eta
       waterline + hb * drop + b.yq / 3.0 * (b.c_stem - b.c_buttock) * b.fan_run(z);
+  if (b.stem_half_width > 0.0) ahead += taken_by_rounding(b, z) - b.setback * hb;
+  ahead -= 0.5 * b.knife_half_width * b.knife(0.0, z);
   // Behind the edge of a reamer the side draws in at 45 deg.
-  const double edge = b.waterline(hb) + drop;
+  const double edge = b.waterline(hb) + drop - b.setback;
   return (r - b.reamer) * L + b.reamer * (edge + 0.5 * b.reamer) - r / hb * ahead;
 }
 
@@ -52,14 +62,23 @@ Volume volume_of(const BowParameters& bow) {
   const auto area = [&](double z) { return half_area(b, waterline, bow.L, z); };
   const double bilge_top = b.bilge - b.T, fade = std::isfinite(b.fan_fade) ? b.fan_fade : 0.0;
   const double faded = std::max(bilge_top, -b.belt_below - fade);
-  double half = integral(-b.belt_below, 0.0, area) + integral(faded, -b.belt_below, area) +
-                integral(bilge_top, faded, area);
+  // A piece of depth in two where the ice knife begins in it.
+  const auto piece = [&](double from, double to) {
+    if (b.knife_half_width == 0.0 || b.knife_top <= from || b.knife_top >= to)
+      return integral(from, to, area);
+    return integral(from, b.knife_top, area) + integral(b.knife_top, to, area);
+  };
+  double half = piece(-b.belt_below, 0.0) + piece(faded, -b.belt_below) + piece(bilge_top, faded);
   // Down the bilge by its angle, in which circle and ellipse are smooth where they stand vertical.
-  half += integral(0.0, 0.5 * pi, [&](double turn) {
+  const auto by_turn = [&](double turn) {
     return b.bilge * std::cos(turn) * area(bilge_top - b.bilge * std::sin(turn));
-  });
+  };
+  const double knife_turn = b.knife_half_width > 0.0 && b.knife_top < bilge_top
+                                ? std::asin((bilge_top - b.knife_top) / b.bilge)
+                                : 0.0;
+  half += integral(0.0, knife_turn, by_turn) + integral(knife_turn, 0.5 * pi, by_turn);
   const double bilge_corner = (1.0 - 0.25 * pi) * b.bilge * b.bilge;
-  return {2.0 * half, 2.0 * ((b.half_beam() - b.reamer) * b.T - bilge_corner)};
+  return {2.0 * half + skeg_of(bow).volume(), 2.0 * ((b.half_beam() - b.reamer) * b.T - bilge_corner)};
 }
 
 bool computable(const BowParameters& bow) {

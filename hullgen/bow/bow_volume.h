@@ -7,8 +7,9 @@
 
 namespace icebow {
 
-// Under the design waterline, of the smooth hull [m^3]; equation (10) of docs/bows.md. A mesh with panels of
-// B/60 has it within 0.1 %. Dimensions and angles must be in range: g6 of check_feasibility() is 0 or more.
+// Under the design waterline, skeg included, of the smooth hull [m^3]; equation (10) of docs/bows.md. A mesh
+// with panels of B/60 has it within 0.1 %. Dimensions and angles must be in range: g6 of check_feasibility()
+// is 0 or more.
 double bow_displacement(const BowParameters& bow);
 
 enum class HeldBy { length, beam, draft };

@@ -11,7 +11,9 @@ namespace icebow {
 namespace {
 
 constexpr double coarsest_panel = 1.0 / 8.0, finest_panel = 1.0 / 400.0;  // of the beam
-constexpr double belt_share = 0.9;  // of the straight height below and above the design waterline
+constexpr double flattest_end = 10.0,
+                 steepest_end = 80.0;  // of ice knife and skeg, against the horizontal [deg]
+constexpr double belt_share = 0.9;     // of the straight height below and above the design waterline
 
 struct Named {
   const char* name;
@@ -68,6 +70,28 @@ std::string bad_feature(const BowParameters& bow) {
   return "";
 }
 
+std::string bad_centre(const BowParameters& bow) {
+  const CentrePlane& c = bow.centre;
+  for (const Named& n : {Named{"stem radius", c.stem_radius},
+                         {"height of the ice knife", c.knife_height},
+                         {"width of the ice knife", c.knife_width},
+                         {"height of the skeg", c.skeg_height},
+                         {"length of the skeg", c.skeg_length},
+                         {"width of the skeg", c.skeg_width}})
+    if (!(std::isfinite(n.value) && n.value >= 0.0))
+      return text("%s is %g m: it must be 0, for none, or positive", n.name, n.value);
+  const auto outside = [](double angle, double steepest) {
+    return !(angle >= radians(flattest_end) - 1e-9 && angle <= radians(steepest) + 1e-9);
+  };
+  if (outside(c.knife_angle, 90.0))
+    return text("the ice knife's edge at %g deg is outside %g to 90 deg", degrees(c.knife_angle),
+                flattest_end);
+  if (outside(c.skeg_angle, steepest_end))
+    return text("the skeg's ends at %g deg are outside %g to %g deg", degrees(c.skeg_angle), flattest_end,
+                steepest_end);
+  return "";
+}
+
 }  // namespace
 
 std::string dimension_problem(const BowParameters& bow) {
@@ -77,6 +101,7 @@ std::string dimension_problem(const BowParameters& bow) {
   if (problem.empty()) problem = bad_panel(bow);
   if (problem.empty()) problem = bad_feature(bow);
   if (problem.empty()) problem = bad_belt(bow);
+  if (problem.empty()) problem = bad_centre(bow);
   return problem;
 }
 

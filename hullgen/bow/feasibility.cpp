@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "hullgen/bow/advice.h"
 #include "hullgen/bow/bow_surface.h"
+#include "hullgen/bow/centre_margins.h"
 #include "hullgen/bow/dimensions.h"
 #include "hullgen/bow/feature_margins.h"
 
@@ -38,7 +39,7 @@ std::string longer_bow(const BowParameters& bow, const BowSurface& b, double sho
 // g1 where side edges lead: w'(B/2) <= 0, so that at every station the edge lies below the middle.
 Margin leading_side_edge(const BowParameters& bow, const BowSurface& b) {
   const double longest_bow = b.half_beam() / 4.0 * (b.c0 + 2.0 * b.c1);
-  Margin g{"g1", longest_bow - bow.Lf, true, ""};
+  Margin g{"g1", longest_bow - b.Lf, true, ""};
   if (g.value >= 0.0) {
     g.sentence = text("the side edges lie %.2f m below the middle", (b.longest() - b.Lf) / b.c_buttock);
     return g;
@@ -46,27 +47,26 @@ Margin leading_side_edge(const BowParameters& bow, const BowSurface& b) {
   g.sentence = text(
       "the side edges would lie above the middle, because the bow is too long for its angles: lower the bow "
       "length Lf by %.2f m to at most %.2f m",
-      at_least(-g.value), at_most(longest_bow));
-  g.sentence += ", or lower the " +
-                flare_at_limit(bow, b, 0.5 * (4.0 * bow.Lf / b.half_beam() - b.c0), false) +
+      at_least(-g.value), at_most(longest_bow - b.setback));
+  g.sentence += ", or lower the " + flare_at_limit(bow, b, 0.5 * (4.0 * b.Lf / b.half_beam() - b.c0), false) +
                 ", or choose the family thyssen_waas";
   return g;
 }
 
 // g1: w'(B/2) >= 0 without fairing.
 Margin monotone_waterline(const BowParameters& bow, const BowSurface& b) {
-  Margin g{"g1", bow.Lf - b.half_beam() / 4.0 * (b.c0 + 2.0 * b.c1), true, ""};
+  Margin g{"g1", b.Lf - b.half_beam() / 4.0 * (b.c0 + 2.0 * b.c1), true, ""};
   g.sentence = g.value >= 0.0
                    ? "the design waterline widens all the way to the shoulder"
                    : "the design waterline would turn back before the shoulder, because the bow is too short "
                      "for its angles" +
-                         longer_bow(bow, b, -g.value, 0.5 * (4.0 * bow.Lf / b.half_beam() - b.c0));
+                         longer_bow(bow, b, -g.value, 0.5 * (4.0 * b.Lf / b.half_beam() - b.c0));
   return g;
 }
 
 // g2: w'' >= 0 aft of B/4 (first term) and before it (second term).
 Margin convex_waterline(const BowParameters& bow, const BowSurface& b) {
-  const double aft = bow.Lf - b.half_beam() / 4.0 * (b.c0 + 3.0 * b.c1);
+  const double aft = b.Lf - b.half_beam() / 4.0 * (b.c0 + 3.0 * b.c1);
   double fore = b.c1 - b.c0;
   if (std::abs(fore) < straight * b.c1) fore = 0.0;  // one waterline angle at both points, up to rounding
   Margin g{"g2", std::min(aft, fore), family_form(bow.family).convex_required, ""};
@@ -74,7 +74,7 @@ Margin convex_waterline(const BowParameters& bow, const BowSurface& b) {
     g.sentence = "the design waterline is convex";
   } else if (aft <= fore) {
     g.sentence = "the design waterline is hollow aft of B/4, because the bow is too short for its angles" +
-                 longer_bow(bow, b, -aft, (4.0 * bow.Lf / b.half_beam() - b.c0) / 3.0);
+                 longer_bow(bow, b, -aft, (4.0 * b.Lf / b.half_beam() - b.c0) / 3.0);
   } else {
     g.sentence = text(
         "the design waterline is hollow between stem and B/4, because it is blunter at B/4 (%.2f deg, from "
@@ -84,6 +84,22 @@ Margin convex_waterline(const BowParameters& bow, const BowSurface& b) {
     g.sentence += flare_at_limit(bow, b, b.c0, false);
   }
   return g;
+}
+
+double narrowest_at_stem(const BowParameters& bow, const BowSurface& b) {
+  return std::min(b.entrance(-bow.T), b.entrance(bow.D - bow.T));
+}
+
+// The waterline angle at which g3 holds, others as they are [deg]. A rounded stem moves the fan with it.
+double entrance_at_limit(const BowParameters& bow, const BowSurface& b, double sharp) {
+  if (b.stem_half_width == 0.0) return sharp;
+  BowParameters tried = bow;
+  double holds = radians(1.0), fails = bow.angles.waterline;
+  for (int k = 0; k < 40; ++k) {
+    tried.angles.waterline = 0.5 * (holds + fails);
+    (narrowest_at_stem(tried, bow_surface(tried)) >= 0.0 ? holds : fails) = tried.angles.waterline;
+  }
+  return degrees(holds);
 }
 
 // g3: dS/deta >= 0 at the stem at every height; S' is linear in eta up to B/4, where it is c1 > 0.
@@ -98,8 +114,9 @@ Margin monotone_at_every_depth(const BowParameters& bow, const BowSurface& b) {
   const bool below = dc < 0.0;
   const double reach = below ? depth : height, change = b.half_beam() * b.c0 / (4.0 * reach);
   const double cotangent = b.c_buttock + (below ? change : -change);  // the stem's, at the limit
-  const double stem = below ? at_least(to_deg(cotangent)) : at_most(to_deg(cotangent));
-  const double entrance = at_most(to_deg(4.0 / b.half_beam() * reach * std::abs(dc)));
+  const double shown = to_deg(shown_stem(b, cotangent)), stem = below ? at_least(shown) : at_most(shown);
+  const double entrance =
+      at_most(entrance_at_limit(bow, b, to_deg(4.0 / b.half_beam() * reach * std::abs(dc))));
   g.sentence = text(
       "waterlines %s the design waterline would turn back at the stem, because the stem (%.2f deg) is too "
       "%s beside the buttocks (%.2f deg): %s the stem angle to at %s %.2f deg, or lower the waterline angle "
@@ -123,7 +140,7 @@ Margin monotone_fairing(const BowParameters& bow, const BowSurface& b) {
 
 // g5: the underwater shell ends before midship.
 Margin length_for_the_shell(const BowParameters& bow, const BowSurface& b) {
-  const double keel = b.run(-bow.T), fixed = b.longest() + b.bilge + b.reamer;
+  const double keel = b.run(-bow.T), fixed = b.longest() - b.setback + b.bilge + b.reamer;
   const double needed = fixed + keel * b.c_buttock, available = bow.L / 2.0;
   Margin g{"g5", available - needed, true, ""};
   if (g.value >= 0.0) {
@@ -151,6 +168,7 @@ std::vector<Margin> not_computed(const BowParameters& bow, const Margin& ranges)
   margins.push_back(ranges);
   const FamilyForm& form = family_form(bow.family);
   if (form.reamers || form.chines) margins.push_back({"g7", -1.0, true, "not computed: see g6"});
+  for (Margin& g : centre_margins(bow, nullptr)) margins.push_back(std::move(g));
   return margins;
 }
 
@@ -186,6 +204,7 @@ BowFeasibility check_feasibility(const BowParameters& bow) {
                       ranges};
     if (form.reamers) result.margins.push_back(reamer_size(bow));
     if (form.chines) result.margins.push_back(chine_crease(b));
+    for (Margin& g : centre_margins(bow, &b)) result.margins.push_back(std::move(g));
   }
   result.feasible = std::all_of(result.margins.begin(), result.margins.end(),
                                 [](const Margin& g) { return !g.required || g.value >= 0.0; });

@@ -47,7 +47,7 @@ Margin chine_crease(const BowSurface& b) {
   const double missing = b.yq * ((1.0 - b.chine) * jump / knuckle_share - spare);
   const double chine = 1.0 - 0.5 * knuckle_share * spare / jump;
   g.sentence += text(": raise the bow length Lf by %.2f m to at least %.2f m", at_least(missing),
-                     at_least(b.Lf + missing));
+                     at_least(b.Lf - b.setback + missing));
   if (spare > 0.0 && at_least(chine) <= outermost_chine)
     g.sentence += text(", or move the chine outwards to at least %.2f of the half-beam", at_least(chine));
   return g;

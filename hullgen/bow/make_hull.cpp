@@ -4,6 +4,7 @@
 
 #include "hullgen/bow/bow_angles.h"
 #include "hullgen/bow/bow_mesh.h"
+#include "hullgen/bow/bow_surface.h"
 #include "hullgen/bow/family.h"
 #include "hullgen/bow/feasibility.h"
 #include "hullgen/mesh/mesh_check.h"
@@ -19,7 +20,9 @@ Hull make_hull(const BowParameters& bow) {
   if (!hull.feasibility.feasible) return hull;
 
   hull.mesh = bow_mesh(bow);
-  hull.measured = measure_angles(hull.mesh, bow_beam(bow));
+  const double rounded = stem_half_width(bow);
+  hull.measured = measure_angles(hull.mesh, bow_beam(bow), rounded);
+  if (rounded > 0.0) hull.stem_radius = measured_stem_radius(hull.mesh, bow_beam(bow), rounded);
   hull.waterline_at_quarter_beam = std::atan(std::tan(hull.measured.flare) * std::tan(hull.measured.buttock));
   hull.flare_at_stem = std::atan(std::tan(hull.measured.waterline) / std::tan(hull.measured.stem));
 

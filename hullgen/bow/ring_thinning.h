@@ -18,7 +18,8 @@ struct GridNode {
 class RingThinning {
  public:
   // Neighbours are joined by the length of the panels they make, so that those stay well shaped.
-  RingThinning(const BowSurface& bow, const BowGrid& grid, double panel);
+  // The column at the eta `kept` stays.
+  RingThinning(const BowSurface& bow, const BowGrid& grid, double kept, double panel);
 
   double longest_cell() const;  //!< that panels may have from station to station [m]
   // On to a station that lies `cell` [m] behind the one before, where the ring's nodes stand at `place`. No
@@ -31,10 +32,14 @@ class RingThinning {
  private:
   using Length = std::function<double(int a, int b)>;
   using Limit = std::function<double(int)>;
+  using Bend = std::function<bool(int a, int b, int c)>;
 
-  static void join(std::vector<char>& kept, int fixed, const Length& length, const Limit& longest);
+  // First, last and `fixed` stay, and b where the line a-b-c is bent aft.
+  static void join(std::vector<char>& kept, int fixed, const Length& length, const Limit& longest,
+                   const Bend& bent);
 
   double panel_, bilge_;
+  int fixed_column_ = 0;
   int bilge_rows_ = 0;  // rows up to here take part in the rounding of the bilge
   std::vector<char> columns_, rows_;
 };

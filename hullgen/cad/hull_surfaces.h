@@ -15,10 +15,11 @@ struct FlatFace {
 
 // Faces of a closed hull in metres, hull frame of geometry/quad_mesh.h. Two faces that meet have the same
 // curve there. Every smooth strip of the bow between creases (stem, chine, edge of the side) is one patch, on
-// either side: bow from the stem outwards; then the reamer's step, where there is one, and side with bilge.
+// either side: bow from the stem outwards; then the reamer's step, where there is one, and side with bilge;
+// then the skeg, where there is one, with the bottom's strip behind it.
 struct HullSurfaces {
   std::vector<SplineSurface> port;  // without the mirror images to starboard
-  std::vector<FlatFace> flat;       // bottom, deck, transom, each across both sides
+  std::vector<FlatFace> flat;       // bottom (its two sides beside a skeg), deck, transom
 };
 
 // Needs a feasible bow. The patches are the surface (8) of docs/bows.md to round-off wherever that is made of

@@ -22,7 +22,7 @@ std::string drawing_title(const StudySpec& spec, const ChosenDesign& chosen) {
   return spec.name + (chosen.design.name == "baseline" ? "" : ": " + chosen.design.name);
 }
 
-std::string angle_rows(const Hull& hull) {
+std::string angle_rows(const Hull& hull, double stem_radius) {
   const BowAngles& asked = hull.requested;
   const bool measured = hull.status != HullStatus::infeasible;
   std::vector<std::vector<std::string>> rows = {{"angle, deg", "requested", "measured"}};
@@ -37,6 +37,8 @@ std::string angle_rows(const Hull& hull) {
   if (measured) {
     rows.push_back({"waterline at B/4", "", decimals(degrees(hull.waterline_at_quarter_beam), 3)});
     rows.push_back({"flare at the stem", "", decimals(degrees(hull.flare_at_stem), 3)});
+    if (stem_radius > 0.0)
+      rows.push_back({"stem radius, m", decimals(stem_radius, 3), decimals(hull.stem_radius, 3)});
   }
   return text_table(rows);
 }
@@ -114,7 +116,7 @@ int run_hull(const Communicator&, const Arguments& arguments) {
     std::cout << json_text(json, 2) << "\n";
   } else {
     std::cout << chosen.design.name << "\n\n"
-              << angle_rows(hull) << "\n"
+              << angle_rows(hull, bow.centre.stem_radius) << "\n"
               << margin_rows(hull.feasibility) << mesh_row(json.at("mesh")) << more;
   }
   if (hull.status == HullStatus::ok) return exit_code::ok;

@@ -19,6 +19,9 @@ NAME = "^[A-Za-z0-9\u0080-\U0010ffff][A-Za-z0-9 ._+()\u0080-\U0010ffff-]*$"
 RESERVED = "^(baseline|d[0-9]+)$"
 EXCLUSIVE = {"hull": [("draft", "waterline_height")], "ice": [("fracture_toughness", "critical_stretch")],
              "solver": [("spacing", "layers"), ("time_step", "time_step_fraction")]}
+NEEDS = {"bow": {"ice_knife_angle": "ice_knife_height", "ice_knife_width": "ice_knife_height",
+                 "skeg_height": "skeg_length", "skeg_length": "skeg_height", "skeg_angle": "skeg_height",
+                 "skeg_width": "skeg_height"}}
 # Where a key has one of these values, which others must be given and which must not; "else": where it has not.
 CONDITIONS = {"bow": [
     {"key": "angles_at", "is": "quarter_beam", "then": ([], ["flare"]), "else": (["flare"], ["entrance"])},
@@ -98,6 +101,7 @@ def section_schema(keys, section):
     mine = {k["name"]: k for k in keys if k["section"] == section}
     rules = [rule for k in mine.values() for rule in once(k)]
     rules += [{"not": {"allOf": [any_of(mine[a]), any_of(mine[b])]}} for a, b in EXCLUSIVE.get(section, [])]
+    rules += [{"if": any_of(mine[a]), "then": any_of(mine[b])} for a, b in NEEDS.get(section, {}).items()]
     rules += [condition(mine, rule) for rule in CONDITIONS.get(section, [])]
     schema = {"type": "object", "additionalProperties": False, "properties": properties(keys, section)}
     return {**schema, "allOf": rules} if rules else schema

@@ -34,9 +34,27 @@ void describe_angles(Text& text, const BowAngles& angles) {
   text.field("bow.flare", flare);
 }
 
+// What a bow does not have is not in its text, as in that of an older result.
+void describe_centre(Text& text, const CentrePlane& centre) {
+  const auto& [stem_radius, knife_height, knife_width, knife_angle, skeg_height, skeg_length, skeg_width,
+               skeg_angle] = centre;
+  if (stem_radius != 0.0) text.field("bow.stem_radius", stem_radius);
+  if (knife_height != 0.0) {
+    text.field("bow.knife_height", knife_height);
+    text.field("bow.knife_width", knife_width);
+    text.field("bow.knife_angle", knife_angle);
+  }
+  if (skeg_height != 0.0) {
+    text.field("bow.skeg_height", skeg_height);
+    text.field("bow.skeg_length", skeg_length);
+    text.field("bow.skeg_width", skeg_width);
+    text.field("bow.skeg_angle", skeg_angle);
+  }
+}
+
 void describe_bow(Text& text, const BowParameters& bow) {
-  const auto& [family, angles_at, angles, L, B, T, D, Lf, panel, belt_below, belt_above, reamer_step, chine] =
-      bow;
+  const auto& [family, angles_at, angles, L, B, T, D, Lf, panel, belt_below, belt_above, reamer_step, chine,
+               centre] = bow;
   text.field("bow.family", family);
   text.ignored("bow.angles_at", angles_at);  // the four angles are the same either way
   describe_angles(text, angles);
@@ -51,6 +69,7 @@ void describe_bow(Text& text, const BowParameters& bow) {
   // As a stored result has it that is older than these families.
   if (reamer_step != 0.0) text.field("bow.reamer_step", reamer_step);
   if (chine != 0.0) text.field("bow.chine", chine);
+  describe_centre(text, centre);
 }
 
 void describe_own_hull(Text& text, const OwnHull& own) {

@@ -98,6 +98,7 @@ Json hull_json(const Hull& hull) {
   json["derived_deg"] = {
       {"waterline_at_quarter_beam", finite_or_null(degrees(hull.waterline_at_quarter_beam))},
       {"flare_at_stem", finite_or_null(degrees(hull.flare_at_stem))}};
+  if (hull.stem_radius > 0.0) json["stem_radius_m"] = finite_or_null(hull.stem_radius);
   if (!hull.mesh.quads.empty()) json["mesh"] = mesh_json(hull.mesh);
   return json;
 }

@@ -80,6 +80,28 @@ void read_features(Section& s, BowParameters& bow) {
   if (!form.chines) s.refuse("chine", other + "semi_spoon_chines");
 }
 
+// What stands in the centre plane, in any family.
+CentrePlane read_centre(Section& s) {
+  CentrePlane centre;
+  centre.stem_radius = given_or(s, "stem_radius", 0.0);
+  centre.knife_height = given_or(s, "ice_knife_height", 0.0);
+  centre.knife_width = given_or(s, "ice_knife_width", 0.0);
+  centre.knife_angle = given_or(s, "ice_knife_angle", centre.knife_angle);
+  centre.skeg_height = given_or(s, "skeg_height", 0.0);
+  centre.skeg_length = given_or(s, "skeg_length", 0.0);
+  centre.skeg_width = given_or(s, "skeg_width", 0.0);
+  centre.skeg_angle = given_or(s, "skeg_angle", centre.skeg_angle);
+  if (!s.has("ice_knife_height"))
+    for (const char* key : {"ice_knife_width", "ice_knife_angle"})
+      s.refuse(key, "is of an ice knife, which the bow has not: give ice_knife_height_m too, or drop this");
+  if (s.has("skeg_height"))
+    s.require("skeg_length", "(length of the skeg at its root); add it, or drop skeg_height");
+  else
+    for (const char* key : {"skeg_length", "skeg_width", "skeg_angle"})
+      s.refuse(key, "is of a skeg, which the bow has not: give skeg_height_m too, or drop this");
+  return centre;
+}
+
 BowParameters read_bow(Section& s) {
   BowParameters bow;
   bow.family = family_of_key(s.text("family", ""));
@@ -90,6 +112,7 @@ BowParameters read_bow(Section& s) {
   bow.D = s.number("depth");
   bow.Lf = s.number("bow_length");
   read_features(s, bow);
+  bow.centre = read_centre(s);
   bow.panel = given_or(s, "panel", 0.0);
   // The default belt of a ship would reach through the bottom and the deck of a boat.
   bow.belt_below = given_or(s, "belt_below", std::min(s.number("belt_below"), 0.5 * bow.T));

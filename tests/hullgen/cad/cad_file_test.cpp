@@ -153,6 +153,23 @@ TEST_CASE("STEP: one valid solid in metres, on the mesh, with the four angles") 
   }
 }
 
+TEST_CASE("STEP: stem radius, ice knife and skeg are faces of the one valid solid") {
+  const Scratch scratch;
+  for (const BowFamily family : all_families()) {
+    CAPTURE(family_form(family).key);
+    BowParameters bow = preset_bow(family);
+    bow.panel = bow.B / 60.0;
+    bow.centre.stem_radius = 0.4 / std::cos(bow.angles.waterline);
+    bow.centre.knife_height = 0.4 * bow.T;
+    bow.centre.skeg_height = 0.8;
+    bow.centre.skeg_length = 20.0;
+    const std::string path = scratch.file("hull.step");
+    const double volume = write_cad(path, hull_surfaces(bow), "A hull");    // throws where it does not close
+    CHECK(volume == Approx(enclosed_volume(bow_mesh(bow))).epsilon(1e-3));  // chords of the bilge
+    CHECK(count(read<STEPControl_Reader>(path), TopAbs_SOLID) == 1);
+  }
+}
+
 TEST_CASE("IGES: one valid solid in metres, on the mesh, with the four angles") {
   const Scratch scratch;
   for (const BowFamily family :

@@ -45,6 +45,32 @@ bool same_poles(const SplineCurve& a, const SplineCurve& b, double tolerance) {
 
 }  // namespace
 
+TEST_CASE("rounded stem and ice knife are on the patches, and the skeg below the bottom") {
+  for (const BowFamily family : all_families()) {
+    CAPTURE(family_form(family).key);
+    BowParameters bow = preset_bow(family);
+    bow.centre.stem_radius = 0.4 / std::cos(bow.angles.waterline);
+    bow.centre.knife_height = 0.4 * bow.T;
+    bow.centre.skeg_height = 0.8;
+    bow.centre.skeg_length = 20.0;
+    const BowSurface surface = bow_surface(bow);
+    const HullSurfaces hull = hull_surfaces(bow);
+    const std::size_t strips =
+        family_form(family).chines ? 3 : 2;  // knife and skeg end where the rounding does
+    REQUIRE(hull.port.size() == strips + (bow.reamer_step > 0.0 ? 2 + 5 : 1 + 4));
+    for (std::size_t k = 0; k < strips; ++k) {
+      const double off = farthest(surface, hull.port[k]);
+      CAPTURE(k, off);
+      CHECK(off < 1e-5 * bow.B);  // circle and square roots are no polynomials
+    }
+    double lowest = 0.0;
+    for (const SplineSurface& patch : hull.port)
+      for (const auto& row : patch.poles)
+        for (const Vec3& pole : row) lowest = std::min(lowest, pole.z());
+    CHECK(lowest == Approx(-bow.T - 0.8));
+  }
+}
+
 TEST_CASE("a polynomial of degree 4 with a break is its own spline") {
   const auto bent = [](double u, double v) {
     const double kink = std::max(u - 0.4, 0.0);
