@@ -151,7 +151,9 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
     return "The best design lies at an end of the range of " + bound + ": widen it, and sweep again.";
   const std::string& best = ranking.rows.front().evaluation.name;
   const bool sails = std::isfinite(ranking.rows.front().cycle_load);
-  const bool by_cycle = !over_scenarios(study.document).empty() || ranking.confirmed.designs > 0;
+  const bool simulated = part_at(ranking.rows.front().evaluation.result, result_key::simulation).is_object();
+  const bool by_cycle =
+      (!over_scenarios(study.document).empty() && !simulated) || ranking.confirmed.designs > 0;
   if (sails && by_cycle && !tie_clause(study, ranked).empty())
     return "Tell the leaders apart: sail more voyages (cycle.voyages).";
   if (ranking.confirmed.designs == 0 && sails && over_scenarios(study.document).empty())

@@ -133,11 +133,19 @@ Json scenarios_table(const Json& result, const LoadUnit& unit) {
     const auto load = [&](const char* key) {
       return fixed(number_at(one, key) / unit.newtons, unit.decimals);
     };
-    rows.push_back(row_view(text_at(one, result_key::scenario_name),
-                            {csv_number(number_at(one, result_key::scenario_weight)),
-                             load(result_key::cycle_load), load(result_key::lindqvist_total)}));
+    const auto mean = [&](const char* key, const char* ci95) {
+      return with_interval(number_at(one, key) / unit.newtons, number_at(one, ci95) / unit.newtons,
+                           unit.decimals);
+    };
+    rows.push_back(row_view(
+        text_at(one, result_key::scenario_name),
+        {csv_number(number_at(one, result_key::scenario_weight)),
+         mean(result_key::mean_load, result_key::mean_load_ci95),
+         mean(result_key::cycle_load, result_key::cycle_load_ci95), load(result_key::lindqvist_total)}));
   }
-  return table_view("Scenarios", {"weight", "cycle, " + unit.name, "Lindqvist, " + unit.name}, rows);
+  return table_view("Scenarios",
+                    {"weight", "simulated, " + unit.name, "cycle, " + unit.name, "Lindqvist, " + unit.name},
+                    rows);
 }
 
 Json cycle_table(const RankedDesign& ranked, const LoadUnit& unit) {

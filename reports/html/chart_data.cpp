@@ -10,6 +10,7 @@
 #include "reports/html/front_view.h"
 #include "reports/tables/table_report.h"
 #include "study/evaluate/result_keys.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/spec/document_keys.h"
 
 namespace icebow {
@@ -48,6 +49,13 @@ Json smallest_margin(const Json& result) {
     if (value.is_number() && (smallest.is_null() || value < smallest["value"]))
       smallest = {{"name", name}, {"value", value}};
   return smallest;
+}
+
+// Of the record that is drawn: that of the first scenario, and of the cycle where simulations correct it.
+double mean_of_record(const RankedDesign& row) {
+  const std::vector<ScenarioLoad> scenarios = scenario_loads(row.evaluation.result);
+  if (!scenarios.empty()) return scenarios.front().mean;
+  return std::isfinite(row.difference_ci95) ? row.cycle_load : row.mean_load;
 }
 
 Json histories_json(const DesignContent& design) {
@@ -104,6 +112,7 @@ Json design_json(const ReportContent& content, std::size_t i) {
           {"value_error", number(estimate.standard_error)},
           {"value_freedom", number(estimate.degrees_of_freedom)},
           {"mean_N", number(row.mean_load)},
+          {"record_mean_N", number(mean_of_record(row))},
           {"ci95_N", number(row.mean_load_ci95)},
           {"max_N", number(highest_of_runs(content, e, result_key::max_load))},
           {"q95_N", number(number_at(e.result, result_key::q95_load))},

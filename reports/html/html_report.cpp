@@ -18,11 +18,25 @@
 #include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
 #include "study/effects/response_fit.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/spec/document_keys.h"
 #include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
+
+std::string record_in_words(const ReportContent& content, bool model) {
+  std::string words = "Ice resistance against the distance sailed since first touch, full scale";
+  words += model ? "; model-scale load on the right." : ".";
+  for (const RankedDesign& row : content.study.ranking.rows) {
+    const std::vector<ScenarioLoad> scenarios = scenario_loads(row.evaluation.result);
+    if (scenarios.empty()) continue;
+    return words + " The records are those of the first scenario, " + scenarios.front().name + ".";
+  }
+  if (content.study.ranking.confirmed.designs > 0)
+    words += " The records and their means are the breaking cycle's, before the correction by simulations.";
+  return words;
+}
 
 constexpr int whole_cards = 25;  // further ones are filled when a reader opens them
 constexpr int open_cards = 3;
@@ -105,10 +119,7 @@ Json charts(const ReportContent& content, const ResponseFit& fit) {
       {"unlike_ice", content.conditions.unlike_ices.empty()
                          ? ""
                          : "The two are of unlike ices: " + content.conditions.unlike_ices + "."},
-      {"record_words",
-       model ? "Ice resistance against the distance sailed since first touch, full scale; model-scale load "
-               "on the right."
-             : "Ice resistance against the distance sailed since first touch, full scale."},
+      {"record_words", record_in_words(content, model)},
       {"has_fit", fit.told()},
       {"no_fit", parameters && study.ranked() > 2 && !fit.told() ? fit.why : ""},
       {"fit_words", "a polynomial " + terms_in_words(fit.terms) + ", fitted to " +

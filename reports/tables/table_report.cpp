@@ -12,6 +12,7 @@
 #include "reports/content/verdict.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
+#include "study/evaluate/scenario_result.h"
 
 namespace icebow {
 namespace {
@@ -31,8 +32,18 @@ std::set<std::string> parameter_names(const Ranking& ranking) {
   return names;
 }
 
+// Of a study over scenarios, in the order of the results.
+std::vector<std::string> scenario_names(const Ranking& ranking) {
+  std::vector<std::string> names;
+  for (const RankedDesign& row : ranking.rows)
+    if (names.empty())
+      for (const ScenarioLoad& load : scenario_loads(row.evaluation.result)) names.push_back(load.name);
+  return names;
+}
+
 // `p_best`: how often a mean equal to the best one would look so unlike.
-std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::string>& parameters) {
+std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenarios,
+                    const std::set<std::string>& parameters) {
   const Evaluation& e = row.evaluation;
   const auto result = [&](const char* pointer) { return ',' + csv_number(number_at(e.result, pointer)); };
   std::string line =
@@ -55,6 +66,10 @@ std::string csv_row(const RankedDesign& row, double p_best, const std::set<std::
           csv_field(text_at(e.result, result_key::lindqvist_caution)) + ',' +
           csv_field(unlike_ice_words(e.result));
   line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
+  const std::vector<ScenarioLoad> loads = scenario_loads(e.result);
+  for (std::size_t k = 0; k < scenarios; ++k)
+    line += ',' + (k < loads.size() ? csv_number(loads[k].mean) : "") + ',' +
+            (k < loads.size() ? csv_number(loads[k].ci95) : "");
   for (const std::string& name : parameters) {
     const auto it = e.parameters.find(name);
     const Json& choices = part_at(e.result, result_key::choices);
@@ -119,13 +134,16 @@ std::string ranking_csv(const StudyResults& study) {
       "lindqvist_submersion_N,lindqvist_breaking_N,lindqvist_total_N,ratio,tied_with_best,tied_with_next,"
       "runs,ci95_series_N,ci95_repeats_N,cycle_load_N,cycle_load_ci95_N,solver_load_N,solver_load_ci95_N,"
       "p_best,samples,lindqvist_caution,unlike_ice,wall_s,reason";
+  const std::vector<std::string> scenarios = scenario_names(study.ranking);
+  for (const std::string& name : scenarios)
+    text += ',' + csv_field("scenario " + name + "_N") + ',' + csv_field("scenario " + name + "_ci95_N");
   for (const std::string& name : parameters) text += ',' + csv_field(name);
   text += '\n';
   for (const RankedDesign& row : study.ranking.rows) {
     const bool compared = row.rank > 1;
     const double p =
         compared ? compared_with(row, study.ranking.rows.front(), study.ranking.rank_by).p : std::nan("");
-    text += csv_row(row, p, parameters);
+    text += csv_row(row, p, scenarios.size(), parameters);
   }
   return text;
 }

@@ -235,7 +235,10 @@ int run_check(const Communicator&, const Arguments& arguments) {
     text += "then the best " + std::to_string(spec.confirm.best) + " and " +
             std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
   text += decide_lines(spec);
-  if (spec.use_peridynamics || spec.confirm.given()) text += size_line(spec.baseline);
+  const bool simulates = spec.use_peridynamics || spec.confirm.given();
+  if (simulates && spec.baseline.scenarios.empty()) text += size_line(spec.baseline);
+  for (const CaseScenario& scenario : spec.baseline.scenarios)
+    if (simulates) text += "scenario " + printable(scenario.name) + ": " + size_line(*scenario.given);
   if (arguments.has("--cost")) text += cost_lines(spec, plan);
   std::cout << text;
   if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;

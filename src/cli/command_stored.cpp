@@ -17,6 +17,7 @@
 #include "study/effects/effects_json.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/look/design_card.h"
 #include "study/look/stored_design.h"
 #include "study/look/study_diff.h"
@@ -59,9 +60,14 @@ std::string status_text(const Json& s) {
   if (s.at("damaged") > 0) text += ", " + count("damaged") + " damaged";
   text += "\n";
   for (const Json& name : s.at("running")) text += "under way: " + name.get<std::string>() + "\n";
+  const std::string over =
+      s.contains("scenarios") ? ", the " + words("over_scenarios") + " of its scenarios" : "";
   if (s.at("best").is_string())
-    text +=
-        "best so far by " + words("rank_by") + ": " + words("best") + ", " + newtons(s.at("value")) + "\n";
+    text += "best so far by " + words("rank_by") + over + ": " + words("best") + ", " +
+            newtons(s.at("value")) + "\n";
+  if (s.contains("scenarios"))
+    for (const Json& one : s.at("scenarios"))
+      text += "  " + text_at(one, result_key::scenario_name) + ": " + newtons(one.at("mean_load_N")) + "\n";
   if (s.contains("front")) text += "Pareto front so far: " + list_text(s.at("front")) + "\n";
   return text + "started " + words("started") + " on " + words("host") + " by icebow " + words("version") +
          "\n  " + words("command") + "\n";
@@ -85,6 +91,10 @@ std::string results_text(const Json& result) {
         std::tuple("Lindqvist, total", result_key::lindqvist_total, no_interval),
         std::tuple("largest load", result_key::max_load, no_interval)})
     if (std::isfinite(number_at(result, load))) rows.push_back(load_row(result, name, load, ci95));
+  for (const ScenarioLoad& load : scenario_loads(result))
+    rows.push_back({"scenario " + load.name,
+                    decimals(load.mean / 1e3, 1) +
+                        (std::isfinite(load.ci95) ? " \u00b1 " + decimals(load.ci95 / 1e3, 1) : "") + " kN"});
   return rows.empty() ? "" : "\n" + text_table(rows);
 }
 

@@ -8,11 +8,14 @@
 #include "cli/process_text.h"
 #include "cli/text_table.h"
 #include "study/evaluate/result_keys.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/look/stored_design.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
 namespace {
+
+constexpr std::size_t most_scenario_columns = 6;  // icebow export has them all
 
 std::string kilonewtons(double newtons) {
   return decimals(newtons / 1e3, 1);
@@ -89,6 +92,25 @@ std::vector<std::vector<std::string>> without_empty_columns(
   return kept;
 }
 
+// Of a study over scenarios, the names of these, in order.
+std::vector<std::string> scenario_names(const Ranking& ranking) {
+  std::vector<std::string> names;
+  for (const RankedDesign& row : ranking.rows) {
+    if (row.rank == 0 || !names.empty()) continue;
+    for (const ScenarioLoad& load : scenario_loads(row.evaluation.result)) names.push_back(load.name);
+  }
+  return names;
+}
+
+std::vector<std::string> scenario_cells(const RankedDesign& row, std::size_t scenarios) {
+  std::vector<std::string> cells;
+  for (const ScenarioLoad& load : scenario_loads(row.evaluation.result))
+    cells.push_back(kilonewtons(load.mean) +
+                    (std::isfinite(load.ci95) ? " \u00b1 " + kilonewtons(load.ci95) : ""));
+  cells.resize(scenarios);
+  return cells;
+}
+
 std::string tie(const RankedDesign& row, const RaceRecord& race) {
   const std::string place = place_in_race(race, row.evaluation.name);
   if (!place.empty()) return place;
@@ -136,6 +158,9 @@ std::string ranking_text(const Ranking& ranking) {
                                                  "Lindqvist " + compared_part(ranking) + ", kN", "ratio",
                                                  ranking.race.given() ? "race" : "tied"}};
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
+  const std::vector<std::string> scenarios = scenario_names(ranking);
+  for (std::size_t k = 0; k < scenarios.size() && scenarios.size() <= most_scenario_columns; ++k)
+    rows[0].insert(rows[0].begin() + 3 + static_cast<std::ptrdiff_t>(k), scenarios[k] + ", kN");
   const bool by_pointer = ranking.rank_by[0] == '/';
   if (by_pointer) rows[0].insert(rows[0].begin() + 2, last_word(ranking.rank_by) + ", kN");
   const bool two = ranking.objective.given();
@@ -157,6 +182,9 @@ std::string ranking_text(const Ranking& ranking) {
       rows.back().insert(
           rows.back().begin() + 3,
           {kilonewtons(row.cycle_load) + " \u00b1 " + kilonewtons(row.cycle_ci95), simulated(row)});
+    const std::vector<std::string> parts = scenario_cells(row, scenarios.size());
+    if (scenarios.size() <= most_scenario_columns)
+      rows.back().insert(rows.back().begin() + 3, parts.begin(), parts.end());
     if (by_pointer) rows.back().insert(rows.back().begin() + 2, kilonewtons(row.value));
     if (two) rows.back().insert(rows.back().begin() + 3, {second_cell(row), front_cell(row)});
     const std::vector<std::string> cells = parameter_cells(e, pointers);

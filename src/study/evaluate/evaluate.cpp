@@ -49,6 +49,7 @@ struct Work {
 
   const Case* condition = nullptr;  // the scenario under way; none: the design's own
   bool draws = true;                // of several scenarios, the first has its files
+  int conditions_over = 0;          // scenarios before it
 
   const Case& given() const { return condition ? *condition : *design.given; }
   bool writes() const { return !options.directory.empty() && draws; }
@@ -218,51 +219,38 @@ Ending run_formulas(Work& work) {
   return {};
 }
 
-// One condition after the other, and their loads as one.
-Ending run_scenarios(Work& work) {
-  const Case& design = *work.design.given;
-  if (design.scenarios.empty()) return run_formulas(work);
-  const Json before = work.result;
-  std::vector<ScenarioResult> results;
-  Ending ending;
-  for (const CaseScenario& scenario : design.scenarios) {
-    work.result = before;
-    work.condition = scenario.given.get();
-    work.draws = results.empty();
-    ending = run_formulas(work);
-    const std::string no_voyage = text_at(work.result, result_key::cycle_reason);
-    if (ending.status == EvaluationStatus::ok && !no_voyage.empty()) ending = failed(no_voyage);
-    if (ending.status != EvaluationStatus::ok) {
-      ending.reason = scenario.name + ": " + ending.reason;
-      break;
-    }
-    results.push_back({scenario.name, scenario.weight, work.result});
-  }
-  work.condition = nullptr, work.draws = true;
-  if (ending.status == EvaluationStatus::ok) work.result = combined(results, design.by_worst);
-  return ending;
-}
-
 // A hull and voyages take a while.
 Ending look_for_stop(Work& work) {
   const bool stop = work.comm.is_root() && work.options.stop && work.options.stop();
   return work.comm.any(stop) ? Ending{EvaluationStatus::running, "interrupted"} : Ending{};
 }
 
+// Of several scenarios as if they were one voyage.
+std::function<void(const Progress&)> progress_of(const Work& work) {
+  const auto scenarios = static_cast<std::int64_t>(work.design.given->scenarios.size());
+  if (!work.options.on_progress || scenarios < 2) return work.options.on_progress;
+  return [&tell = work.options.on_progress, scenarios, over = work.conditions_over](Progress p) {
+    p.step += over * p.steps, p.steps *= scenarios;
+    tell(p);
+  };
+}
+
 RunOptions run_options(Work& work) {
   const Case& c = work.given();
   RunOptions options;
-  options.directory = work.options.directory;
+  if (work.draws) {
+    options.directory = work.options.directory;
+    options.snapshots = c.snapshots;
+    options.pictures = c.pictures;
+  }
   options.name = work.design.name;
   options.lambda = c.lambda;
-  options.snapshots = c.snapshots;
   options.snapshot_format = c.snapshot_format;
-  options.pictures = c.pictures;
   options.seed = c.seed;
-  options.on_progress = work.options.on_progress;
+  options.on_progress = progress_of(work);
   options.stop = work.options.stop;
   options.checkpoint_now = work.options.checkpoint_now;
-  if (work.writes()) options.checkpoint_file = work.path(checkpoint_name);
+  if (!work.options.directory.empty()) options.checkpoint_file = work.path(checkpoint_name);
   options.keep_checkpoint = true;
   options.to_be_sailed_on = work.options.keep_checkpoint && work.design.sail_to > 0.0;
   options.checkpoint_every_s = work.options.checkpoint_every_s;
@@ -313,8 +301,7 @@ Json pictures_json(const RunResult& run) {
   return pictures;
 }
 
-Ending run_simulation(Work& work) {
-  if (!work.design.asked.peridynamics) return {};
+Ending sail(Work& work) {
   const Simulated done = simulated(work);
   if (!done.reason.empty()) return failed(done.reason);
   const RunResult& run = done.run;
@@ -333,6 +320,66 @@ Ending run_simulation(Work& work) {
   if (work.writes()) act_on_root(work.comm, [&] { write_history(work, run.history); });
   if (run.status == RunStatus::interrupted) return {EvaluationStatus::running, "interrupted"};
   return run.status == RunStatus::failed ? failed(run.reason) : Ending{};
+}
+
+// What is at hand from a run before; else null. The same on every rank.
+Json kept(Work& work, const std::string& key) {
+  if (work.options.directory.empty() || work.options.resume == Resume::never) return nullptr;
+  Json found;
+  if (work.comm.is_root()) found = kept_scenario(work.options.directory, key);
+  return Json::parse(work.comm.broadcast(json_text(found)));
+}
+
+// A voyage that is over leaves its result in place of its checkpoint.
+void keep(Work& work, const std::string& key) {
+  if (work.options.directory.empty()) return;
+  act_on_root(work.comm, [&] {
+    keep_scenario(work.options.directory, key, work.result);
+    remove_checkpoint(work.path(checkpoint_name));
+  });
+}
+
+Ending run_scenario(Work& work) {
+  Ending ending = run_formulas(work);
+  if (ending.status != EvaluationStatus::ok) return ending;
+  if (work.design.asked.peridynamics) return sail(work);
+  const std::string no_voyage = text_at(work.result, result_key::cycle_reason);
+  return no_voyage.empty() ? Ending{} : failed(no_voyage);
+}
+
+// One condition after the other, and their loads as one.
+Ending run_scenarios(Work& work) {
+  const Case& design = *work.design.given;
+  if (design.scenarios.empty()) return run_formulas(work);
+  const Json before = work.result;
+  std::vector<ScenarioResult> results;
+  Ending ending;
+  for (const CaseScenario& scenario : design.scenarios) {
+    work.condition = scenario.given.get();
+    work.draws = results.empty();
+    work.conditions_over = static_cast<int>(results.size());
+    const std::string key = evaluation_key(*scenario.given, work.design.asked);
+    work.result = work.design.asked.peridynamics ? kept(work, key) : Json();
+    if (work.result.is_null()) {
+      work.result = before;
+      ending = look_for_stop(work);
+      if (ending.status == EvaluationStatus::ok) ending = run_scenario(work);
+      if (ending.status == EvaluationStatus::ok && work.design.asked.peridynamics) keep(work, key);
+    }
+    if (ending.status != EvaluationStatus::ok) {
+      if (ending.status != EvaluationStatus::running) ending.reason = scenario.name + ": " + ending.reason;
+      break;
+    }
+    results.push_back({scenario.name, scenario.weight, work.result});
+  }
+  work.condition = nullptr, work.draws = true;
+  if (ending.status == EvaluationStatus::ok) work.result = combined(results, design.by_worst);
+  return ending;
+}
+
+// Of a design with scenarios each has been sailed.
+Ending run_simulation(Work& work) {
+  return work.design.asked.peridynamics && work.design.given->scenarios.empty() ? sail(work) : Ending{};
 }
 
 // It ran to the end: it is ok where what it was run for is a number.
@@ -398,6 +445,7 @@ double usual_checkpoint_interval() {
 }
 
 void remove_checkpoint_in(const std::string& design_directory) {
+  remove_kept_scenarios(design_directory);
   remove_checkpoint((std::filesystem::path(design_directory) / checkpoint_name).string());
 }
 

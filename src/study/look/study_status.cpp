@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/json_fields.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
 #include "study/spec/design_name.h"
@@ -56,6 +57,15 @@ Json study_status(const std::string& directory) {
                  {"rank_by", ranking.rank_by},
                  {"best", best ? Json(best->evaluation.name) : Json(nullptr)},
                  {"value", best ? finite_or_null(best->value) : Json(nullptr)}};
+  if (best && !scenario_loads(best->evaluation.result).empty()) {
+    status["over_scenarios"] = std::string(spec.baseline.by_worst ? "worst" : "mean");
+    status["scenarios"] = Json::array();
+    for (const ScenarioLoad& load : scenario_loads(best->evaluation.result))
+      status["scenarios"].push_back({{"name", load.name},
+                                     {"weight", load.weight},
+                                     {"mean_load_N", finite_or_null(load.mean)},
+                                     {"mean_load_ci95_N", finite_or_null(load.ci95)}});
+  }
   if (ranking.objective.given()) {
     status["second"] = to_json(ranking.objective);
     for (const FrontPlace place : {FrontPlace::front, FrontPlace::open})

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "study/evaluate/evaluation.h"
+#include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
 
@@ -14,6 +15,9 @@ using Numbers = std::map<std::string, double>;
 
 void collect(const Json& part, const std::string& pointer, Numbers& numbers) {
   if (part.is_number()) numbers[pointer] = part.get<double>();
+  if (part.is_array() && pointer == result_key::scenarios)
+    for (std::size_t k = 0; k < part.size(); ++k)
+      collect(part[k], pointer + std::string("/") + std::to_string(k), numbers);
   if (!part.is_object()) return;
   for (const auto& [key, value] : part.items()) collect(value, pointer + "/" + key, numbers);
 }

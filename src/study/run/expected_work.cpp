@@ -6,16 +6,26 @@
 
 namespace icebow {
 
+namespace {
+
 // A step is the way of a wave over the lattice spacing.
-double expected_work(const Design& design) {
-  if (!design.given || !design.asked.peridynamics) return 0.0;
-  const Case& c = *design.given;
+double work_of(const Case& c) {
   const double dx = c.numerics.dx;
   const double particles =
       c.sheet.length * c.sheet.width * c.ice.h / (dx * dx * dx) * (c.sheet.half_model ? 0.5 : 1.0);
   const double steps = c.advance / c.V * std::sqrt(c.ice.E / c.ice.rho) / dx;
   const double work = particles * steps;
   return std::isfinite(work) ? work : 0.0;
+}
+
+}  // namespace
+
+double expected_work(const Design& design) {
+  if (!design.given || !design.asked.peridynamics) return 0.0;
+  if (design.given->scenarios.empty()) return work_of(*design.given);
+  double work = 0.0;
+  for (const CaseScenario& scenario : design.given->scenarios) work += work_of(*scenario.given);
+  return work;
 }
 
 std::vector<PlannedDesign> longest_first(std::vector<PlannedDesign> designs) {

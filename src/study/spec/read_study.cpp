@@ -65,6 +65,8 @@ void check_decide(const StudySpec& spec, Mistakes& mistakes) {
     mistake("/ranking/by", "is \"" + spec.rank_by +
                                "\", but /decide decides by \"mean_load\" or "
                                "\"mean_load_per_beam\"");
+  if (!spec.baseline.scenarios.empty())
+    mistake("/decide", "sails on one voyage of each design, but /scenarios give several: drop one of them");
   if (spec.baseline.stop_when_ci95_below > 0.0)
     mistake("/operation/stop_when_ci95_below",
             "ends each run by itself, but with /decide the race says how far each sails: drop it");

@@ -116,11 +116,6 @@ void check_scenarios(const StudySpec& spec, Mistakes& mistakes) {
       mistakes.push_back({"/ranking/over_scenarios", "is given, but the file has no /scenarios: drop it"});
     return;
   }
-  if (spec.use_peridynamics || spec.confirm.given())
-    mistakes.push_back(
-        {"/scenarios",
-         "are evaluated by lindqvist, cycle and programs, not by a simulation: give /evaluators "
-         "without \"peridynamics\", and no /confirm; simulate the best design by `icebow simulate`"});
   for (const Variable& v : spec.method.variables)
     if (is_condition(v.pointer.substr(1, v.pointer.find('/', 1) - 1)))
       mistakes.push_back(

@@ -15,7 +15,7 @@ using CaseReader = std::function<Case(const Json& document, Mistakes& mistakes)>
 // file has without the scenario is not noted again under /scenarios/K/set.
 void read_scenarios(const Json& document, const CaseReader& reader, Case& c, Mistakes& mistakes);
 
-// What does not go together with scenarios: a simulation, and variables that belong to the conditions.
+// What does not go together with scenarios: variables that belong to the conditions.
 void check_scenarios(const StudySpec& spec, Mistakes& mistakes);
 
 // The sections that a scenario may set.

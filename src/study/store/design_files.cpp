@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "study/evaluate/evaluate.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/spec/design_name.h"
 
 namespace icebow {
@@ -43,11 +44,19 @@ std::string set_aside(const Evaluation& e) {
   return e.name.substr(0, e.name.find('~')) + "~" + e.key.substr(0, 8);
 }
 
-// What a simulation that goes on from its checkpoint still needs.
-bool is_continued(const fs::directory_entry& file) {
+bool has_kept_scenarios(const fs::path& directory) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, none))
+    if (is_kept_scenario(entry.path().filename().string())) return true;
+  return false;
+}
+
+// What a simulation that goes on from its checkpoint still needs; `behind`: or behind a scenario that is
+// over, whose files stand.
+bool is_continued(const fs::directory_entry& file, bool behind) {
   const std::string name = file.path().filename().string();
   if (file.is_symlink() || !file.is_regular_file() || file.path().extension() == ".tmp") return false;
-  return name == checkpoint_name || name == std::string(checkpoint_name) + ".damaged" ||
+  return behind || name == checkpoint_name || name == std::string(checkpoint_name) + ".damaged" ||
          name.rfind("ice", 0) == 0 || name.rfind("hull_", 0) == 0 || name == "hull.vtp";
 }
 
@@ -84,12 +93,12 @@ void clear_design_directory(const std::string& study_directory, const std::strin
   try {
     refuse_link(directory.parent_path());
     refuse_link(directory);
-    const bool continues = fs::exists(directory / checkpoint_name);
-    if (!continues) fs::remove_all(directory);
+    const bool behind = has_kept_scenarios(directory);
+    if (!behind && !fs::exists(directory / checkpoint_name)) fs::remove_all(directory);
     fs::create_directories(directory);
     std::vector<fs::path> old;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-      if (!is_continued(entry)) old.push_back(entry.path());
+      if (!is_continued(entry, behind)) old.push_back(entry.path());
     }
     for (const fs::path& path : old) fs::remove_all(path);
   } catch (const fs::filesystem_error& error) {

@@ -10,6 +10,7 @@
 #include "study/evaluate/evaluator_inputs.h"
 #include "study/evaluate/process_json.h"
 #include "study/evaluate/result_keys.h"
+#include "study/evaluate/scenario_result.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
 #include "tests/support/fake_study.h"
@@ -158,6 +159,49 @@ TEST_CASE("an interrupted design goes on from its checkpoint, another design of 
   REQUIRE(evaluated("{}", options).status == EvaluationStatus::ok);
   if (test_world().is_root()) CHECK(resumed == 1);
   if (test_world().is_root()) CHECK_FALSE(exists(options.directory + "/checkpoint.h5"));
+}
+
+TEST_CASE("a design is simulated in each scenario, and goes on behind those that are over") {
+  const TemporaryDirectory own;
+  EvaluateOptions options;
+  options.directory = test_world().broadcast(own / "one");
+  const auto kept = [&] {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(options.directory))
+      files += is_kept_scenario(entry.path().filename().string()) ? 1 : 0;
+    return files;
+  };
+  const char* scenarios =
+      R"({"scenarios": [{"name": "slow", "weight": 3, "set": {"operation": {"speed_kn": 5}}},
+                                            {"name": "fast", "set": {"operation": {"speed_kn": 6}}}]})";
+  options.stop = [&] { return kept() > 0; };
+  REQUIRE(evaluated(scenarios, options).status == EvaluationStatus::running);
+  test_world().barrier();
+  const std::string history = options.directory + "/history.csv";
+  CHECK(kept() == 1);
+  const auto written = std::filesystem::last_write_time(history);
+  options.stop = nullptr;
+  const Evaluation both = evaluated(scenarios, options);
+  INFO(both.reason);
+  REQUIRE(both.status == EvaluationStatus::ok);
+  test_world().barrier();
+  CHECK(std::filesystem::last_write_time(history) == written);  // the first is not sailed again
+  CHECK(kept() == 0);
+  CHECK_FALSE(exists(options.directory + "/checkpoint.h5"));
+
+  const Evaluation slow = evaluated(R"({"operation": {"speed_kn": 5}})"), fast = evaluated("{}");
+  const auto at = [](const Evaluation& e, const char* pointer) { return number_at(e.result, pointer); };
+  CHECK(at(both, result_key::mean_load) ==
+        Approx(0.75 * at(slow, result_key::mean_load) + 0.25 * at(fast, result_key::mean_load)));
+  CHECK(at(both, result_key::mean_load_ci95) ==
+        Approx(std::hypot(0.75 * at(slow, result_key::mean_load_ci95),
+                          0.25 * at(fast, result_key::mean_load_ci95))));
+  const std::vector<ScenarioLoad> loads = scenario_loads(both.result);
+  REQUIRE(loads.size() == 2);
+  CHECK(loads[0].name == "slow");
+  CHECK(loads[0].mean == at(slow, result_key::mean_load));
+  CHECK(loads[1].mean == at(fast, result_key::mean_load));
+  CHECK(loads[1].ci95 == at(fast, result_key::mean_load_ci95));
 }
 
 TEST_CASE("a directory that cannot be written is the machine's fault, on every rank") {

@@ -77,6 +77,23 @@ TEST_CASE("half widths are of independent scenarios; a largest load stays the la
   CHECK(combined(one_missing, false).at("metrics").at("full_scale").at("mean_load_N").is_null());
 }
 
+TEST_CASE("samples behind a mean over scenarios are Welch's; those of the worst are its own") {
+  const auto result = [](double load, double ci95, double samples) {
+    return Json{{"metrics",
+                 {{"full_scale", {{"mean_load_N", load}, {"mean_load_ci95_N", ci95}}},
+                  {"effective_samples", samples}}}};
+  };
+  const auto samples = [](const std::vector<ScenarioResult>& two, bool worst) {
+    return number_at(combined(two, worst), "/metrics/effective_samples");
+  };
+  // Alike: twice the degrees of freedom of one.
+  CHECK(samples({{"a", 1.0, result(10, 3, 16)}, {"b", 1.0, result(10, 3, 16)}}, false) == Approx(1 + 2 * 15));
+  // One is all but exact: those of the other.
+  CHECK(samples({{"a", 1.0, result(10, 3, 16)}, {"b", 1.0, result(10, 1e-6, 9)}}, false) == Approx(16));
+  CHECK(samples({{"a", 1.0, result(10, 3, 16)}, {"b", 1.0, result(20, 4, 9)}}, true) == 9.0);
+  CHECK(std::isnan(samples({{"a", 1.0, result(10, 3, 16)}, {"b", 1.0, result(20, NAN, 9)}}, false)));
+}
+
 TEST_CASE("the cycle is evaluated in each scenario") {
   Json document = fake_document(thin_and_thick);
   document["evaluators"] = {"cycle"};
@@ -115,8 +132,10 @@ TEST_CASE("mistakes in scenarios are told by pointer") {
         List{"/scenarios/0/weight"});
   CHECK(pointers_of_scenario(R"({"name": "a"})") == List{"/scenarios/0/set"});
   CHECK(pointers(R"({"evaluators": ["lindqvist"], "scenarios": []})") == List{"/scenarios"});
-  CHECK(pointers(R"({"scenarios": [{"name": "a", "set": {"ice": {"thickness_m": 1}}}]})") ==
-        List{"/scenarios"});  // a simulation
+  constexpr const char* simulated = R"({"sheet": {"window_ahead_m": 40},
+    "scenarios": [{"name": "a", "set": {"ice": {"thickness_m": 1}}}])";
+  CHECK(pointers(std::string(simulated) + "}").empty());
+  CHECK(pointers(std::string(simulated) + R"(, "decide": {}})") == List{"/decide"});
   Json environment = fake_document(thin_and_thick);
   environment["method"] = {
       {"type", "optimise"},

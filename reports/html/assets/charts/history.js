@@ -47,7 +47,7 @@ export function setUpHistory(data, redraw) {
 function series(design, unit, shade, style) {
   const [dash, hue] = style, stroke = colour(`series-${hue}`), scale = 1 / unit.newtons;
   return design.histories.map(({ advance_m: x, load_N: load }, run) => {
-    const mean = design.mean_N * scale, inside = (at) => Math.min(Math.max(at, x[0]), x.at(-1));
+    const mean = design.record_mean_N * scale, inside = (at) => Math.min(Math.max(at, x[0]), x.at(-1));
     const [from, to] = (design.steady_m ?? [x[0], x.at(-1)]).map(inside);
     return {
       name: design.histories.length > 1 ? `${design.name}, run ${run + 1}` : design.name,
