@@ -40,13 +40,17 @@ Json steady_part(const Json& result, double lambda) {
   return std::isfinite(from) && std::isfinite(to) ? Json::array({from, to}) : Json(nullptr);
 }
 
-// Where the hull's margins leave the least room: {"name", "value"}.
+// Where the margins that a hull must keep leave the least room: {"name", "value"}.
 Json smallest_margin(const Json& result) {
   const Json& margins = part_at(result, result_key::margins);
+  const Json& reported = part_at(result, result_key::margins_only_reported);
+  const auto must_hold = [&](const std::string& name) {
+    return !reported.is_array() || std::find(reported.begin(), reported.end(), Json(name)) == reported.end();
+  };
   Json smallest;
   if (!margins.is_object()) return smallest;
   for (const auto& [name, value] : margins.items())
-    if (value.is_number() && (smallest.is_null() || value < smallest["value"]))
+    if (value.is_number() && must_hold(name) && (smallest.is_null() || value < smallest["value"]))
       smallest = {{"name", name}, {"value", value}};
   return smallest;
 }

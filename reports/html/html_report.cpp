@@ -31,7 +31,8 @@ std::string record_in_words(const ReportContent& content, bool model) {
   for (const RankedDesign& row : content.study.ranking.rows) {
     const std::vector<ScenarioLoad> scenarios = scenario_loads(row.evaluation.result);
     if (scenarios.empty()) continue;
-    return words + " The records are those of the first scenario, " + scenarios.front().name + ".";
+    return words + " The records and their means are those of the first scenario, " + scenarios.front().name +
+           "; the loads beside the names are over all.";
   }
   if (content.study.ranking.confirmed.designs > 0)
     words += " The records and their means are the breaking cycle's, before the correction by simulations.";

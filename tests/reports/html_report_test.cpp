@@ -77,6 +77,12 @@ TEST_CASE("two objectives: the front stands in the page as a list and as the cha
   CHECK_FALSE(holds(sample_html(), "id=\"chart-front\""));
 }
 
+TEST_CASE("the smallest margin of a design is one that it must keep") {
+  const Json margin = design_of(data_of(sample_html()), "White").at("smallest_margin");
+  CHECK(margin.at("name") == "g3");  // g2 = -0.41 is only reported
+  CHECK(margin.at("value") == 1.92);
+}
+
 TEST_CASE("the page needs nothing from outside") {
   const std::string html = sample_html();
   CHECK_FALSE(std::regex_search(html, std::regex("(src|href)=\"(https?:)?//")));

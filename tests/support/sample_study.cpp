@@ -91,6 +91,7 @@ Json hull_part(const SampleBow& bow, bool feasible) {
                                                                           std::tan(radians(bow.stem))))}}
                                : Json()},
       {"margins", {{"g1", feasible ? 8.73 : -3.41}, {"g2", -0.41}, {"g3", 1.92}, {"g5", 41.0}}},
+      {"margins_only_reported", {"g2"}},
       {"margin_sentences",
        {{"g1", "The design waterline widens all the way aft."},
         {"g2", "The design waterline is hollow near the stem (reported only)."},

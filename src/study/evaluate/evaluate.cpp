@@ -164,7 +164,10 @@ Ending run_voyages(Work& work) {
   if (!finest)
     work.result["cycle"]["same_way"] =
         same_way_json(run_same_way(work.given(), work.hull.mesh, rule, outcome.submersion + outcome.water));
-  if (finest) work.result["metrics"] = metrics, work.result["process"] = process;
+  if (finest) {
+    work.result["metrics"] = metrics, work.result["process"] = process;
+    for (const char* part : {"cracks", "floes"}) work.result["cycle"]["process"][part].erase("list");
+  }
   if (!work.writes()) return {};
   act_on_root(work.comm, [&] {
     draw_voyage(work, outcome);

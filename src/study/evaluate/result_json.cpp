@@ -83,12 +83,14 @@ Json hull_json(const Hull& hull) {
                {"derived_deg", nullptr},
                {"margins", Json::object()},
                {"margin_sentences", Json::object()},
+               {"margins_only_reported", Json::array()},
                {"feasible", hull.status == HullStatus::ok},
                {"reason", hull.reason},
                {"mesh", nullptr}};
   for (const Margin& margin : hull.feasibility.margins) {
     json["margins"][margin.name] = finite_or_null(margin.value);
     json["margin_sentences"][margin.name] = margin.sentence;
+    if (!margin.required) json["margins_only_reported"].push_back(margin.name);
   }
   if (hull.status == HullStatus::infeasible) {
     if (hull.reason.empty()) json["reason"] = hull.feasibility.reason;

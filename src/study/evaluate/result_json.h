@@ -11,10 +11,10 @@
 
 namespace icebow {
 
-// {"requested_deg", "measured_deg", "derived_deg", "margins", "margin_sentences", "feasible", "reason",
-// "mesh"}; the caller adds "design". Angles in degrees, lengths in metres at the scale of `bow`. Where there
-// is no mesh, "measured_deg", "derived_deg" and "mesh" are null.
-// Keys end in their unit.
+// {"requested_deg", "measured_deg", "derived_deg", "margins", "margin_sentences", "margins_only_reported",
+// "feasible", "reason", "mesh"}; the caller adds "design". Angles in degrees, lengths in metres at the scale
+// of `bow`. Where there is no mesh, "measured_deg", "derived_deg" and "mesh" are null. Keys end in their
+// unit.
 Json hydrostatics_json(const Hydrostatics& h);
 
 Json hull_json(const Hull& hull);

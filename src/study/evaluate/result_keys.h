@@ -71,6 +71,7 @@ struct Load {
 constexpr const char* beam = "/ship/B_m";
 constexpr const char* margins = "/hull/margins";
 constexpr const char* margin_sentences = "/hull/margin_sentences";
+constexpr const char* margins_only_reported = "/hull/margins_only_reported";  // their names
 constexpr const char* imported = "/hull/imported";
 constexpr const char* imported_file = "/hull/imported/file";
 constexpr const char* imported_repairs = "/hull/imported/repairs";
@@ -193,6 +194,7 @@ constexpr const char* channel_width_std = "/process/channel/width_std_m";
 constexpr const char* of_every_run[] = {beam,
                                         margins,
                                         margin_sentences,
+                                        margins_only_reported,
                                         full_scale,
                                         mean_load,
                                         mean_load_ci95,

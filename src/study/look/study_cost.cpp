@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 // Steps of a voyage over those of its first seconds: ice that is broken follows the full bond law, and its
 // pieces push each other. Measured: docs/study_file.md, "What a study takes".
 constexpr double later_steps = 3.0;
-constexpr double row_bytes = 12e3;          // of the store
+constexpr double row_bytes = 30e3;  // of the store: two thirds of them are cracks and floes
+constexpr double formula_row_bytes = 3e3;
 constexpr double bytes_of_snapshot = 36.0;  // a particle
 constexpr double bytes_of_state = 110.0;  // a particle, of a checkpoint: bond bits, displacements, velocities
 
@@ -104,7 +105,7 @@ DesignCost cost_of(const Design& design, double seconds) {
     throw RuntimeError("not one step of the file's own design was simulated within the time");
   DesignCost cost;
   cost.core_s = m.cpu;
-  cost.bytes = row_bytes + (design.asked.formula_alone() ? 0.0 : size_of_all(scratch.path));
+  cost.bytes = design.asked.formula_alone() ? formula_row_bytes : row_bytes + size_of_all(scratch.path);
   if (!design.asked.peridynamics || over) return cost;
   const double particles = particles_of(*design.given);
   const auto steps = static_cast<double>(m.last.steps), done = static_cast<double>(m.last.step);

@@ -24,6 +24,7 @@ export function drawLoads(data, options) {
   const best = all[0];
   const band = isNumber(halfOf(best)) && [[{ xAxis: (best.mean_N - best.ci95_N) * scale }, { xAxis: (best.mean_N + best.ci95_N) * scale }]];
   const label = (name) => (name.length > 22 ? `${name.slice(0, 21)}…` : name);
+  const row = options.paper ? Math.min(26, 820 / designs.length) : 26; // on one sheet of paper
   draw(element, {
     grid: { left: 8, right: 24, top: 8, bottom: 44, containLabel: true },
     tooltip: tooltip(p, { trigger: "item", formatter: (item) => describe(designs[item.value[1]], unit) }),
@@ -42,5 +43,5 @@ export function drawLoads(data, options) {
         itemStyle: { color: "transparent", borderColor: p.muted, borderWidth: 1.2 } },
       { type: "scatter", z: 1, symbol: "diamond", symbolSize: 11, data: best.mean_N === null ? [] : points("lindqvist_N"), itemStyle: { color: p.lindqvist, opacity: 1 } },
     ],
-  }, { ...options, height: 26 * Math.max(3, designs.length) + 64 });
+  }, { ...options, height: row * Math.max(3, designs.length) + 64 });
 }

@@ -57,7 +57,7 @@ export function drawSearch(data, options) {
     grid: { left: 58, right: 24, top: 16, bottom: 48 },
     tooltip: tooltip(p, { trigger: "item", formatter: (item) => (item.data.design ? tell(item.data.design) : "") }),
     xAxis: axis(p, "Design, in order of evaluation", { min: 0, minInterval: 1 }),
-    yAxis: axis(p, data.quantity, { ...ends_y, nameGap: 42 }),
+    yAxis: axis(p, `${data.quantity}, ${data.rank_by === "mean_load_per_beam" ? "kN/m" : data.unit.name}`, { ...ends_y, nameGap: 42 }),
     series: [
       { type: "line", step: "end", symbol: "none", silent: true, data: line, lineStyle: { color: p.accent, width: 2 } },
       at(good, "circle", { color: p.plain }),
