@@ -101,7 +101,7 @@ IceSheet::Work<Real> IceSheet::make_work(const Scenario& s, const Material& mate
   Work<Real> work{law,
                   BondTables<Real>(lattice, layout, stencil, material, options),
                   Families<Real>(lattice, layout, stencil, material, options),
-                  CalmTables<Real>(lattice, layout, stencil, material, options, law),
+                  ColumnTables<Real>(lattice, layout, stencil, material, options, law),
                   CrushWatch<Real>(layout),
                   {},
                   {},
@@ -222,7 +222,9 @@ LinearFields<Real> IceSheet::linear_fields(int jl) {
 
 template <class Real>
 ColumnFields<Real> IceSheet::column_fields(Work<Real>& work, int jl) {
-  return {linear_fields<Real>(jl), layout.nz <= most_linear_layers ? work.calm.of(jl) : nullptr,
+  const bool few = layout.nz <= most_linear_layers;
+  return {linear_fields<Real>(jl),
+          {few ? work.at_once.of(calm, jl) : nullptr, few ? work.at_once.of(bent, jl) : nullptr},
           &work.strain[std::size_t(jl) * layout.blocks * block]};
 }
 

@@ -8,7 +8,7 @@
 
 #include "base/communicator.h"
 #include "solver/kernel/bond_tables.h"
-#include "solver/kernel/calm_columns.h"
+#include "solver/kernel/column_weights.h"
 #include "solver/kernel/crush_watch.h"
 #include "solver/kernel/families.h"
 #include "solver/kernel/kernel.h"
@@ -147,7 +147,7 @@ class IceSheet {
     BondLaw<Real> law;
     BondTables<Real> tables;
     Families<Real> families;
-    CalmTables<Real> calm;
+    ColumnTables<Real> at_once;
     CrushWatch<Real> crushed;
     std::vector<RowFields<Real>> fields;  // of the current column, by layer
     std::vector<Real> mobile_x, nothing_mobile;

@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "solver/kernel/calm_columns.h"
+#include "solver/kernel/column_weights.h"
 
 namespace icebow {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "solver/kernel/calm_impl.h"
+#include "solver/kernel/column_impl.h"
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/kernel_vector.h"
 
@@ -81,11 +81,6 @@ inline __attribute__((always_inline)) void for_family(const FamilyTables<Real>& 
     }
   }
 }
-
-template <class Real>
-struct Extremes {
-  typename Simd<Real>::V high = {}, low = {};
-};
 
 // theta of a block of a row; the extremes of e over its bonds.
 template <class Real, BlockLaw which, bool masked, bool per_lane>

@@ -15,8 +15,8 @@
 //           whose ends follow different laws
 //   bent    |e| <= e_small: fits of a low degree
 //   wide    fits on [e_min, e_max]; beyond (a shortening of 10 %) they stay at their value there
-// All layers of a block follow the same one. Calm blocks are summed for all layers at once (calm_columns.h),
-// the others row by row.
+// All layers of a block follow the same one. Calm and bent blocks are summed for all layers at once
+// (column_weights.h), wide ones row by row.
 // A block is cracked where a bond of one of its particles is broken: only then, and near the edges of the
 // sheet, bond bits are looked at. Whether a bond breaks is asked once for a block: by its largest e; or by
 // what that and the largest theta around allow its stresses to be at most, and where these may be too high by
@@ -122,7 +122,7 @@ struct FamilyWord {
   std::ptrdiff_t word;  // from the block's words to those of the bond's lower ends in the same block
   int shift;        // of the words before, of and after that block, taken as one number: own bits come last
   bool own, image;  // the lower end is in a column of this rank's, or the mirror image of one
-  int place;        // of the bond among those of the column (calm_columns.h)
+  int place;        // of the bond among those of the column (column_weights.h)
 };
 
 // Weights of a bond, those of G and H halved (BondLaw), in the order of use.
@@ -156,7 +156,7 @@ struct RowFields {
   Real* theta;                 // out, dilatation
   std::uint16_t* bits;         // [block][column slot]: alive bonds of 16 particles, each at its lower end
   int bits_per_block;          // column slots
-  // [block][place]: alive bonds of 16 particles of all layers, as the bits have them (calm_columns.h)
+  // [block][place]: alive bonds of 16 particles of all layers, as the bits have them (column_weights.h)
   std::uint16_t* there;
   int there_per_block;
   int blocks;                  // owned ones
@@ -203,14 +203,15 @@ struct LinearFields {
 template <class Real>
 struct LinearWeights;
 template <class Real>
-struct CalmWeights;
+struct ColumnWeights;
 
 // What the passes know about a column besides its rows.
 template <class Real>
 struct ColumnFields {
   LinearFields<Real> fields;
-  const CalmWeights<Real>* const* calm;  // [block]; no array: more layers than most_linear_layers
-  Real* strain;  // [block][16]: what e of the block's bonds is at most, vectors of the kernel's width
+  const ColumnWeights<Real>* const*
+      weights[2];  // calm, bent: [block]; no array: more than most_linear_layers
+  Real* strain;    // [block][16]: what e of the block's bonds is at most, vectors of the kernel's width
 };
 
 // Of block b of all layers.

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "solver/kernel/breaking_impl.h"
-#include "solver/kernel/calm_impl.h"
+#include "solver/kernel/column_impl.h"
 #include "solver/kernel/family_impl.h"
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/kernel_vector.h"
@@ -76,15 +76,16 @@ bool is_cracked(const Column<Real>& c, int b) {
 // Whether a block of this law is summed for all layers at once.
 template <class Real>
 bool at_once(const Column<Real>& c, BlockLaw law) {
-  return law == calm && c.fields.calm && c.nz <= most_calm_layers;
+  return law != wide && c.fields.weights[law] && c.nz <= most_column_layers;
 }
 
-// A calm block by one of the passes over all layers.
-template <class Real>
-typename Simd<Real>::V run_calm(const CalmPass<Real> (&pass)[2][2], const Column<Real>& c, int b) {
-  const CalmWeights<Real>& weights = *c.fields.calm[b];
+// A block by one of the passes over all layers: `of_law` picks those of theta or of the force.
+template <class Real, class OfLaw>
+auto run_column(const Column<Real>& c, int b, BlockLaw law, OfLaw of_law) {
+  const ColumnWeights<Real>& weights = *c.fields.weights[law][b];
   const std::uint16_t* const there = c.rows[0].there + std::ptrdiff_t(b) * c.rows[0].there_per_block;
-  return pass[weights.masked || is_cracked(c, b)][weights.per_lane](c.fields.fields, weights, there, b);
+  const auto& passes = of_law(column_passes<Real>[law][c.nz - 1]);
+  return passes[weights.masked || is_cracked(c, b)][weights.per_lane](c.fields.fields, weights, there, b);
 }
 
 // Breaks what is overstrained in a block's layers. Returns whether they must be summed again.
@@ -100,12 +101,10 @@ bool break_in_block(const Column<Real>& c, int b, Broken& broken) {
 template <class Real>
 Extremes<Real> theta_of_block(const Column<Real>& c, int b, BlockLaw now) {
   using S = Simd<Real>;
+  if (at_once(c, now))
+    return run_column(
+        c, b, now, [](const auto& p) -> const auto& { return p.theta; });
   Extremes<Real> all;
-  if (at_once(c, now)) {
-    all.high = run_calm(calm_passes<Real>[c.nz - 1].theta, c, b);
-    all.low = -all.high;
-    return all;
-  }
   for (int k = 0; k < c.nz; ++k) {
     const Extremes<Real> e = theta_by_state(c.rows[k], c.tables[k], c.law, b);
     all = {S::max(all.high, e.high), S::min(all.low, e.low)};
@@ -176,7 +175,10 @@ typename Simd<Real>::V force_by_state(const RowFields<Real>& f, const FamilyTabl
 // Acceleration of a block; the most that theta of both ends of its bonds can be.
 template <class Real>
 typename Simd<Real>::V force_of_block(const Column<Real>& c, int b) {
-  if (at_once(c, law_of(c.rows[0].state[b]))) return run_calm(calm_passes<Real>[c.nz - 1].force, c, b);
+  const BlockLaw law = law_of(c.rows[0].state[b]);
+  if (at_once(c, law))
+    return run_column(
+        c, b, law, [](const auto& p) -> const auto& { return p.force; });
   typename Simd<Real>::V both = {};
   for (int k = 0; k < c.nz; ++k)
     both = Simd<Real>::max(both, force_by_state(c.rows[k], c.tables[k], c.law, b));

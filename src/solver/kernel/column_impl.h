@@ -1,11 +1,12 @@
-// The passes over a calm block of a column, all layers at once; included by kernel_impl.h.
+// The passes over a block of a column, all layers at once, by the laws of low degree; included by
+// kernel_impl.h.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <type_traits>
 
-#include "solver/kernel/calm_columns.h"
+#include "solver/kernel/column_weights.h"
 #include "solver/kernel/kernel.h"
 #include "solver/kernel/kernel_vector.h"
 #include "solver/kernel/linear_impl.h"
@@ -19,32 +20,49 @@ inline unsigned part_of(unsigned word, int lane0) {
   return (word >> lane0) & ((1u << lanes) - 1u);
 }
 
+// Degree of a block's law, of the two that these passes have.
+template <class Real, BlockLaw which>
+constexpr int column_degree = which == calm ? LawDegrees<Real>::calm : LawDegrees<Real>::small;
+
+// Of e over the bonds of a block.
+template <class Real>
+struct Extremes {
+  typename Simd<Real>::V high = {}, low = {};
+};
+
 // What is read of a block's bonds one after the other, the same for all lanes or not, and their bits.
 template <class Real, bool per_lane>
-struct CalmStream {
+struct ColumnStream {
   Stream<Real, false> common;
   Stream<Real, per_lane> lanes;
   const std::uint16_t* there;
 };
 
-// What a bond adds to theta; the largest |e|. Both from q = e L^2.
-template <class Real, bool per_lane>
-ICEBOW_INLINE void add_calm_theta(typename Simd<Real>::V q, CalmStream<Real, per_lane>& w,
-                                  typename Simd<Real>::V& sum, typename Simd<Real>::V& largest) {
-  using V = typename Simd<Real>::V;
-  largest = Simd<Real>::larger_magnitude(largest, q * w.common.take());
+// What a bond adds to theta; the extremes of e, of a calm block the largest |e|. Both from q = e L^2.
+template <class Real, BlockLaw which, bool per_lane>
+ICEBOW_INLINE void add_column_theta(typename Simd<Real>::V q, ColumnStream<Real, per_lane>& w,
+                                    typename Simd<Real>::V& sum, Extremes<Real>& extremes) {
+  using S = Simd<Real>;
+  using V = typename S::V;
+  const V e = q * w.common.take();
+  if constexpr (which == calm) {
+    extremes.high = S::larger_magnitude(extremes.high, e);
+  } else {
+    extremes.high = S::max(extremes.high, e);
+    extremes.low = S::min(extremes.low, e);
+  }
   V series = w.common.take();
-  for (int power = LawDegrees<Real>::calm; power > 0; --power) series = series * q + w.common.take();
+  for (int power = column_degree<Real, which>; power > 0; --power) series = series * q + w.common.take();
   if constexpr (per_lane) q *= w.lanes.take();
   sum += q * series;
 }
 
 // A bond's force over y. both: theta of its two ends.
-template <class Real, bool per_lane>
-ICEBOW_INLINE typename Simd<Real>::V calm_scale(typename Simd<Real>::V q, typename Simd<Real>::V both,
-                                                CalmStream<Real, per_lane>& w) {
+template <class Real, BlockLaw which, bool per_lane>
+ICEBOW_INLINE typename Simd<Real>::V column_scale(typename Simd<Real>::V q, typename Simd<Real>::V both,
+                                                  ColumnStream<Real, per_lane>& w) {
   using V = typename Simd<Real>::V;
-  constexpr int degree = LawDegrees<Real>::calm;
+  constexpr int degree = column_degree<Real, which>;
   if constexpr (per_lane) {
     const V press = both * w.lanes.take(), distort = q * w.lanes.take();
     V R = w.common.take();
@@ -63,14 +81,14 @@ ICEBOW_INLINE typename Simd<Real>::V calm_scale(typename Simd<Real>::V q, typena
   }
 }
 
-constexpr bool calm_bonded(int l, int m, int dk, bool own) {
+constexpr bool column_bonded(int l, int m, int dk, bool own) {
   return l - m <= dk && m - l <= dk && !(own && l == m);
 }
 
 // The particles of a block's column.
 template <class Real, int nz>
-struct CalmCentre {
-  CalmCentre(const LinearFields<Real>& f, std::ptrdiff_t x, Real dx) {
+struct ColumnCentre {
+  ColumnCentre(const LinearFields<Real>& f, std::ptrdiff_t x, Real dx) {
     for (int l = 0; l < nz; ++l)
       for (int c = 0; c < 3; ++c) u[l][c] = Simd<Real>::load(f.u[c] + x + l * f.layer);
     for (int dk = -reach; dk <= reach; ++dk) xi_z[dk + reach] = dk * dx;
@@ -79,15 +97,16 @@ struct CalmCentre {
   Real xi_z[2 * reach + 1];
 };
 
-template <class Real, int nz, int dk, bool own, bool masked, bool per_lane>
-ICEBOW_INLINE void calm_theta_of(const LinearFields<Real>& f, const CalmCentre<Real, nz>& centre,
-                                 const ColumnGroup<Real>& g, std::ptrdiff_t x, int lane0,
-                                 CalmStream<Real, per_lane>& stream, typename Simd<Real>::V (&theta)[nz],
-                                 typename Simd<Real>::V& largest) {
+template <class Real, int nz, BlockLaw which, int dk, bool own, bool masked, bool per_lane>
+ICEBOW_INLINE void column_theta_of(const LinearFields<Real>& f, const ColumnCentre<Real, nz>& centre,
+                                   const ColumnGroup<Real>& g, std::ptrdiff_t x, int lane0,
+                                   ColumnStream<Real, per_lane>& stream, typename Simd<Real>::V (&theta)[nz],
+                                   Extremes<Real>& extremes) {
   using S = Simd<Real>;
   using V = typename S::V;
-  CalmStream<Real, per_lane> w = stream;
-  V sum[nz], most = largest;
+  ColumnStream<Real, per_lane> w = stream;
+  Extremes<Real> most = extremes;
+  V sum[nz];
   for (int l = 0; l < nz; ++l) sum[l] = theta[l];
   for (const auto& column : g.columns) {
     const V twice_x = S::splat(2 * column.xi_x), twice_y = S::splat(2 * column.xi_y);
@@ -95,7 +114,7 @@ ICEBOW_INLINE void calm_theta_of(const LinearFields<Real>& f, const CalmCentre<R
       const std::ptrdiff_t at = x + m() * f.layer + column.offset;
       const V ux = S::load(f.u[0] + at), uy = S::load(f.u[1] + at), uz = S::load(f.u[2] + at);
       for_layers<nz>([&](auto l) __attribute__((always_inline)) {
-        if constexpr (calm_bonded(l(), m(), dk, own)) {
+        if constexpr (column_bonded(l(), m(), dk, own)) {
           const V ex = centre.u[l()][0] - ux, ey = centre.u[l()][1] - uy, ez = centre.u[l()][2] - uz;
           V q = ex * (ex - twice_x);
           q = ey * (ey - twice_y) + q;
@@ -105,13 +124,13 @@ ICEBOW_INLINE void calm_theta_of(const LinearFields<Real>& f, const CalmCentre<R
             q = ez * (ez - 2 * centre.xi_z[m() - l() + reach]) + q;
           }
           if constexpr (masked) q = S::keep_lanes(q, part_of<S::lanes>(*w.there++, lane0));
-          add_calm_theta(q, w, sum[l()], most);
+          add_column_theta<Real, which>(q, w, sum[l()], most);
         }
       });
     });
   }
   stream = w;
-  largest = most;
+  extremes = most;
   for (int l = 0; l < nz; ++l) theta[l] = sum[l];
 }
 
@@ -124,44 +143,46 @@ ICEBOW_INLINE void with_group(const ColumnGroup<Real>& g, Visit visit) {
       g.dk, [&](auto dk) __attribute__((always_inline)) { visit(dk, std::false_type()); });
 }
 
-// theta of a block of all layers; the largest |e| of its bonds.
-template <class Real, int nz, bool masked, bool per_lane>
-typename Simd<Real>::V calm_theta(const LinearFields<Real>& f, const CalmWeights<Real>& weights,
-                                  const std::uint16_t* there, int b) {
+// theta of a block of all layers; the extremes of e over its bonds.
+template <class Real, int nz, BlockLaw which, bool masked, bool per_lane>
+Extremes<Real> column_theta(const LinearFields<Real>& f, const ColumnWeights<Real>& weights,
+                            const std::uint16_t* there, int b) {
   using S = Simd<Real>;
-  typename S::V largest = {};
+  Extremes<Real> extremes;
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-    const CalmCentre<Real, nz> centre(f, x, weights.dx);
-    CalmStream<Real, per_lane> stream{
+    const ColumnCentre<Real, nz> centre(f, x, weights.dx);
+    ColumnStream<Real, per_lane> stream{
         {weights.dilatation.data()}, {weights.dilatation_lanes.data() + (per_lane ? lane0 : 0)}, there};
     typename S::V theta[nz] = {};
     for (const ColumnGroup<Real>& g : *weights.groups) {
       with_group<nz>(
           g, [&](auto dk, auto own) __attribute__((always_inline)) {
-            calm_theta_of<Real, nz, dk(), own(), masked>(f, centre, g, x, lane0, stream, theta, largest);
+            column_theta_of<Real, nz, which, dk(), own(), masked>(f, centre, g, x, lane0, stream, theta,
+                                                                  extremes);
           });
     }
     for (int l = 0; l < nz; ++l) S::store(f.theta + x + l * f.layer, theta[l]);
   }
-  return largest;
+  if constexpr (which == calm) extremes.low = -extremes.high;
+  return extremes;
 }
 
 template <class Real, int nz>
-struct CalmForces {
+struct ColumnForces {
   typename Simd<Real>::V on[nz][3] = {};
   typename Simd<Real>::V theta = {};  // the largest of the neighbours
 };
 
-template <class Real, int nz, int dk, bool own, bool masked, bool per_lane>
-ICEBOW_INLINE void calm_force_of(const LinearFields<Real>& f, const CalmCentre<Real, nz>& centre,
-                                 const typename Simd<Real>::V (&theta)[nz], const ColumnGroup<Real>& g,
-                                 std::ptrdiff_t x, int lane0, CalmStream<Real, per_lane>& stream,
-                                 CalmForces<Real, nz>& total) {
+template <class Real, int nz, BlockLaw which, int dk, bool own, bool masked, bool per_lane>
+ICEBOW_INLINE void column_force_of(const LinearFields<Real>& f, const ColumnCentre<Real, nz>& centre,
+                                   const typename Simd<Real>::V (&theta)[nz], const ColumnGroup<Real>& g,
+                                   std::ptrdiff_t x, int lane0, ColumnStream<Real, per_lane>& stream,
+                                   ColumnForces<Real, nz>& total) {
   using S = Simd<Real>;
   using V = typename S::V;
-  CalmStream<Real, per_lane> w = stream;
-  CalmForces<Real, nz> sum = total;
+  ColumnStream<Real, per_lane> w = stream;
+  ColumnForces<Real, nz> sum = total;
   for (const auto& column : g.columns) {
     const V xi_x = S::splat(column.xi_x), xi_y = S::splat(column.xi_y);
     for_layers<nz>([&](auto m) __attribute__((always_inline)) {
@@ -170,7 +191,7 @@ ICEBOW_INLINE void calm_force_of(const LinearFields<Real>& f, const CalmCentre<R
               other = S::load(f.theta + at);
       sum.theta = S::max(sum.theta, other);
       for_layers<nz>([&](auto l) __attribute__((always_inline)) {
-        if constexpr (calm_bonded(l(), m(), dk, own)) {
+        if constexpr (column_bonded(l(), m(), dk, own)) {
           // Minus eta, minus y.
           const V ex = centre.u[l()][0] - ux, ey = centre.u[l()][1] - uy, ez = centre.u[l()][2] - uz;
           const V yx = ex - xi_x, yy = ey - xi_y;
@@ -183,7 +204,7 @@ ICEBOW_INLINE void calm_force_of(const LinearFields<Real>& f, const CalmCentre<R
             yz = ez - xi_z;
             q = ez * (yz - xi_z) + q;
           }
-          V scale = calm_scale(q, theta[l()] + other, w);
+          V scale = column_scale<Real, which>(q, theta[l()] + other, w);
           if constexpr (masked) scale = S::keep_lanes(scale, part_of<S::lanes>(*w.there++, lane0));
           sum.on[l()][0] -= scale * yx;
           sum.on[l()][1] -= scale * yy;
@@ -197,28 +218,28 @@ ICEBOW_INLINE void calm_force_of(const LinearFields<Real>& f, const CalmCentre<R
 }
 
 // Acceleration of a block of all layers; the most that theta of both ends of a bond can be.
-template <class Real, int nz, bool masked, bool per_lane>
-typename Simd<Real>::V calm_force(const LinearFields<Real>& f, const CalmWeights<Real>& weights,
-                                  const std::uint16_t* there, int b) {
+template <class Real, int nz, BlockLaw which, bool masked, bool per_lane>
+typename Simd<Real>::V column_force(const LinearFields<Real>& f, const ColumnWeights<Real>& weights,
+                                    const std::uint16_t* there, int b) {
   using S = Simd<Real>;
   using V = typename S::V;
   V both = {};
   for (int lane0 = 0; lane0 < block; lane0 += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + lane0;
-    const CalmCentre<Real, nz> centre(f, x, weights.dx);
+    const ColumnCentre<Real, nz> centre(f, x, weights.dx);
     V theta[nz], own = {};
     for (int l = 0; l < nz; ++l) {
       theta[l] = S::load(f.theta + x + l * f.layer);
       own = S::max(own, theta[l]);
     }
-    CalmStream<Real, per_lane> stream{
+    ColumnStream<Real, per_lane> stream{
         {weights.force.data()}, {weights.force_lanes.data() + (per_lane ? lane0 : 0)}, there};
-    CalmForces<Real, nz> forces;
+    ColumnForces<Real, nz> forces;
     for (const ColumnGroup<Real>& g : *weights.groups) {
       with_group<nz>(
           g, [&](auto dk, auto own_column) __attribute__((always_inline)) {
-            calm_force_of<Real, nz, dk(), own_column(), masked>(f, centre, theta, g, x, lane0, stream,
-                                                                forces);
+            column_force_of<Real, nz, which, dk(), own_column(), masked>(f, centre, theta, g, x, lane0,
+                                                                         stream, forces);
           });
     }
     for (int l = 0; l < nz; ++l)
@@ -228,28 +249,32 @@ typename Simd<Real>::V calm_force(const LinearFields<Real>& f, const CalmWeights
   return both;
 }
 
-template <class Real>
-using CalmPass = typename Simd<Real>::V (*)(const LinearFields<Real>&, const CalmWeights<Real>&,
-                                            const std::uint16_t*, int);
-
 // The sums of more layers would not fit into a processor's registers.
-constexpr int most_calm_layers = 3;
+constexpr int most_column_layers = 3;
 
-// By: bits looked at, weights of each particle.
+// Of a law: bits looked at, weights of each particle.
 template <class Real>
-struct CalmPasses {
-  CalmPass<Real> theta[2][2], force[2][2];
+struct ColumnPasses {
+  using Theta = Extremes<Real> (*)(const LinearFields<Real>&, const ColumnWeights<Real>&,
+                                   const std::uint16_t*, int);
+  using Force = typename Simd<Real>::V (*)(const LinearFields<Real>&, const ColumnWeights<Real>&,
+                                           const std::uint16_t*, int);
+  Theta theta[2][2];
+  Force force[2][2];
 };
-template <class Real, int nz>
-constexpr CalmPasses<Real> calm_passes_of() {
-  return {{{calm_theta<Real, nz, false, false>, nullptr},
-           {calm_theta<Real, nz, true, false>, calm_theta<Real, nz, true, true>}},
-          {{calm_force<Real, nz, false, false>, nullptr},
-           {calm_force<Real, nz, true, false>, calm_force<Real, nz, true, true>}}};
+template <class Real, int nz, BlockLaw which>
+constexpr ColumnPasses<Real> column_passes_of() {
+  return {{{column_theta<Real, nz, which, false, false>, nullptr},
+           {column_theta<Real, nz, which, true, false>, column_theta<Real, nz, which, true, true>}},
+          {{column_force<Real, nz, which, false, false>, nullptr},
+           {column_force<Real, nz, which, true, false>, column_force<Real, nz, which, true, true>}}};
 }
+// By law, calm or bent, and layers less one.
 template <class Real>
-inline constexpr CalmPasses<Real> calm_passes[most_calm_layers] = {
-    calm_passes_of<Real, 1>(), calm_passes_of<Real, 2>(), calm_passes_of<Real, 3>()};
+inline constexpr ColumnPasses<Real> column_passes[2][most_column_layers] = {
+    {column_passes_of<Real, 1, calm>(), column_passes_of<Real, 2, calm>(), column_passes_of<Real, 3, calm>()},
+    {column_passes_of<Real, 1, bent>(), column_passes_of<Real, 2, bent>(),
+     column_passes_of<Real, 3, bent>()}};
 
 }  // namespace
 }  // namespace icebow

@@ -1,4 +1,4 @@
-#include "solver/kernel/calm_columns.h"
+#include "solver/kernel/column_weights.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -45,16 +45,18 @@ namespace {
 
 // Constants of the particles (i .. i + particles - 1, j, all layers).
 template <class Real>
-class CalmBuilder {
+class ColumnBuilder {
  public:
-  CalmBuilder(const Lattice& lattice, const Stencil& stencil, BondWeights& bonds, const BondLaw<Real>& law)
-      : lattice_(lattice), bonds_(bonds), law_(law) {
+  ColumnBuilder(const Lattice& lattice, const Stencil& stencil, BondWeights& bonds)
+      : lattice_(lattice), bonds_(bonds) {
     for (int k = 0; k < lattice.nz; ++k)
       for (const Offset& o : stencil.family[k]) offsets_[{k, o.di, o.dj, o.dk}] = o;
   }
 
-  CalmWeights<Real> build(const std::vector<ColumnGroup<Real>>& groups, int i, int j, bool per_lane) {
-    CalmWeights<Real> w;
+  template <int degree>
+  ColumnWeights<Real> build(const LawFits<Real, degree>& law, const std::vector<ColumnGroup<Real>>& groups,
+                            int i, int j, bool per_lane) {
+    ColumnWeights<Real> w;
     w.groups = &groups;
     w.dx = static_cast<Real>(lattice_.dx);
     w.per_lane = per_lane;
@@ -62,40 +64,42 @@ class CalmBuilder {
     for_column_bonds(groups, lattice_.nz, [&](const auto& c, int l, int m) {
       const Offset& offset = offsets_.at({l, c.di, c.dj, m - l});
       if (per_lane) {
-        add_lanes(w, offset, i, j, l);
+        add_lanes(law, w, offset, i, j, l);
       } else {
-        add(w, offset, bonds_(i, j, l, offset));
+        add(law, w, offset, bonds_(i, j, l, offset));
       }
     });
     return w;
   }
 
  private:
-  static constexpr int degree = LawDegrees<Real>::calm;
-
-  void add(CalmWeights<Real>& w, const Offset& o, const BondWeight& bond) const {
+  template <int degree>
+  static void add(const LawFits<Real, degree>& law, ColumnWeights<Real>& w, const Offset& o,
+                  const BondWeight& bond) {
     const double inverse_L2 = 1.0 / (o.length * o.length);
     w.dilatation.push_back(static_cast<Real>(inverse_L2));
-    w.force.push_back(static_cast<Real>(bond.pressure));
+    w.force.push_back(static_cast<Real>(bond.pressure * law.R[0]));
     for (int power = degree; power >= 0; --power) {
       const double scale = 0.5 * power_of(inverse_L2, power + 1);
-      w.dilatation.push_back(static_cast<Real>(bond.dilatation * law_.calm.G[power] * scale));
+      w.dilatation.push_back(static_cast<Real>(bond.dilatation * law.G[power] * scale));
       if (power < degree)
-        w.force.push_back(static_cast<Real>(law_.calm.R[power + 1] * power_of(inverse_L2, power + 1)));
-      w.force.push_back(static_cast<Real>(bond.distortion * law_.calm.H[power] * scale));
+        w.force.push_back(static_cast<Real>(law.R[power + 1] / law.R[0] * power_of(inverse_L2, power + 1)));
+      w.force.push_back(static_cast<Real>(bond.distortion * law.H[power] * scale));
     }
   }
 
-  void add_lanes(CalmWeights<Real>& w, const Offset& o, int i, int j, int l) {
+  template <int degree>
+  void add_lanes(const LawFits<Real, degree>& law, ColumnWeights<Real>& w, const Offset& o, int i, int j,
+                 int l) {
     const double inverse_L2 = 1.0 / (o.length * o.length);
     const auto series = [&](std::vector<Real>& list, const Real(&c)[degree + 1]) {
       for (int power = degree; power >= 0; --power)
         list.push_back(static_cast<Real>(c[power] * power_of(inverse_L2, power)));
     };
     w.dilatation.push_back(static_cast<Real>(inverse_L2));
-    series(w.dilatation, law_.calm.G);
-    series(w.force, law_.calm.R);
-    series(w.force, law_.calm.H);
+    series(w.dilatation, law.G);
+    series(w.force, law.R);
+    series(w.force, law.H);
     const std::size_t first = w.force_lanes.size();
     w.force_lanes.resize(first + 2 * block);
     for (int p = 0; p < block; ++p) {
@@ -115,19 +119,18 @@ class CalmBuilder {
   const Lattice& lattice_;
   std::map<std::array<int, 4>, Offset> offsets_;
   BondWeights& bonds_;
-  const BondLaw<Real>& law_;
 };
 
 }  // namespace
 
 template <class Real>
-CalmTables<Real>::CalmTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
-                             const Material& material, const BondTableOptions& options,
-                             const BondLaw<Real>& law)
+ColumnTables<Real>::ColumnTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil,
+                                 const Material& material, const BondTableOptions& options,
+                                 const BondLaw<Real>& law)
     : blocks_(layout.blocks),
       groups_(new std::vector<ColumnGroup<Real>>(column_groups<Real>(layout, stencil, lattice.dx))) {
   BondWeights bonds(lattice, stencil, material, options);
-  CalmBuilder<Real> builder(lattice, stencil, bonds, law);
+  ColumnBuilder<Real> builder(lattice, stencil, bonds);
   for (int jl = 0; jl < layout.columns; ++jl) {
     const int j = layout.j0 + jl;
     for (int b = 0; b < blocks_; ++b) {
@@ -136,13 +139,15 @@ CalmTables<Real>::CalmTables(const Lattice& lattice, const Layout& layout, const
       const Class key{std::min(j + lattice.mirrored_columns(), edge_influence),
                       std::min(lattice.ny - 1 - j, edge_influence), end ? b : -1};
       auto [entry, is_new] = weights_.try_emplace(key);
-      if (is_new) entry->second = builder.build(*groups_, i, j, end);
-      at_.push_back(&entry->second);
+      if (is_new)
+        entry->second = {builder.build(law.calm, *groups_, i, j, end),
+                         builder.build(law.small, *groups_, i, j, end)};
+      for (const BlockLaw which : {calm, bent}) at_[which].push_back(&entry->second[which]);
     }
   }
 }
 
-template class CalmTables<float>;
-template class CalmTables<double>;
+template class ColumnTables<float>;
+template class ColumnTables<double>;
 
 }  // namespace icebow

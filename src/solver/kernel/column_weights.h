@@ -1,6 +1,6 @@
-// The bonds of calm blocks (kernel.h), of all layers of a column at once: a neighbour is loaded once for all
-// particles above each other that are bonded to it, and their sums, independent of each other, fill the
-// processor's pipes. The law is not shortened for it.
+// The bonds of calm and bent blocks (kernel.h), of all layers of a column at once: a neighbour is loaded once
+// for all particles above each other that are bonded to it, and their sums, independent of each other, fill
+// the processor's pipes. The law is not shortened for it.
 //
 // A column's bonds are numbered in the order of the passes: their places. The bits of a block's alive bonds
 // (RowFields::there) are kept in this order.
@@ -50,14 +50,15 @@ using ColumnPlaces = std::map<std::array<int, 4>, int>;
 ColumnPlaces column_places(const Layout& layout, const Stencil& stencil);
 
 // Constants of a class of blocks in the order of use. With q = 2 xi.eta + eta.eta and the series G, R, H of
-// the calm law, powers of 1/L^2 taken in, for each bond:
+// the law, powers of 1/L^2 taken in, for each bond:
 //   dilatation  1/L^2, W G, the highest power first
-//   force       A; B H of the highest power; then R and B H of the lower ones
+//   force       A R of power 0; B H of the highest power; then R, over that of power 0, and B H of the lower
+//   ones
 // W, A, B: weights of theta, of the pressure and of the distortion. Near the ends of the sheet these are
 // numbers of each of the 16 particles, in lists of their own, and the series follow without them: 1/L^2, G;
 // R, H.
 template <class Real>
-struct CalmWeights {
+struct ColumnWeights {
   const std::vector<ColumnGroup<Real>>* groups = nullptr;
   Real dx = 0;  //!< [m]
   bool per_lane = false;
@@ -66,20 +67,22 @@ struct CalmWeights {
 };
 
 template <class Real>
-class CalmTables {
+class ColumnTables {
  public:
-  CalmTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
-             const BondTableOptions& options, const BondLaw<Real>& law);
+  ColumnTables(const Lattice& lattice, const Layout& layout, const Stencil& stencil, const Material& material,
+               const BondTableOptions& options, const BondLaw<Real>& law);
 
-  // Of the owned blocks of column jl.
-  const CalmWeights<Real>* const* of(int jl) const { return &at_[std::size_t(jl) * blocks_]; }
+  // Of the owned blocks of column jl, for a law that is calm or bent.
+  const ColumnWeights<Real>* const* of(BlockLaw law, int jl) const {
+    return &at_[law][std::size_t(jl) * blocks_];
+  }
 
  private:
   using Class = std::tuple<int, int, int>;  // distances to the port and starboard edges, block or -1
   int blocks_;
   std::unique_ptr<const std::vector<ColumnGroup<Real>>> groups_;  // weights point at them
-  std::map<Class, CalmWeights<Real>> weights_;
-  std::vector<const CalmWeights<Real>*> at_;
+  std::map<Class, std::array<ColumnWeights<Real>, 2>> weights_;
+  std::array<std::vector<const ColumnWeights<Real>*>, 2> at_;
 };
 
 }  // namespace icebow
