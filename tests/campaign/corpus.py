@@ -1,7 +1,9 @@
 """What the fuzzers begin with: small files of the tests, what the program writes of the tiny study, and what earlier
 runs have found worth keeping (tests/fuzz/corpus, a folder each)."""
+import hashlib
 import json
 import os
+import pathlib
 import shutil
 import sqlite3
 import struct
@@ -107,5 +109,6 @@ def keep(fuzzer, name, corpus, most_bytes):
     shutil.rmtree(KEPT / name, ignore_errors=True)
     (KEPT / name).mkdir(parents=True)
     for file in chosen:
-        shutil.copyfile(file, KEPT / name / os.path.basename(file)[:12])
+        content = pathlib.Path(file).read_bytes()
+        (KEPT / name / hashlib.sha1(content).hexdigest()[:12]).write_bytes(content)
     print(f"{name}: {len(chosen)} files kept", flush=True)

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "base/whole_number.h"
 #include "geometry/second_moments.h"
 
 namespace icebow {
@@ -112,21 +113,20 @@ std::vector<double> DetachedIceCount::record() const {
 }
 
 void DetachedIceCount::restore(const std::vector<double>& r) {
+  const std::string trouble = "its count of broken ice is not whole";
   *this = {};
-  if (r.size() < 5) throw RuntimeError("its count of broken ice is not whole");
+  if (r.size() < 5) throw RuntimeError(trouble);
   total_.volume = r[0];
   total_.in_floes = r[1];
   total_.dust = r[2];
-  for (const double n : {r[3], r[4]})
-    if (!(n >= 0.0 && n <= double(r.size()))) throw RuntimeError("its count of broken ice is not whole");
-  const auto floes = static_cast<std::size_t>(r[3]), stations = static_cast<std::size_t>(r[4]);
-  if (r.size() < 5 + floes * floe_values + stations * station_values)
-    throw RuntimeError("its count of broken ice is not whole");
+  const auto floes = static_cast<std::size_t>(whole_number(r[3], 0.0, double(r.size()), trouble));
+  const auto stations = static_cast<std::size_t>(whole_number(r[4], 0.0, double(r.size()), trouble));
+  if (r.size() < 5 + floes * floe_values + stations * station_values) throw RuntimeError(trouble);
   const double* p = r.data() + 5;
   for (std::size_t n = 0; n < floes; ++n, p += floe_values)
     total_.floes.push_back({p[0], p[1], p[2], p[3], p[4], p[5]});
   for (std::size_t n = 0; n < stations; ++n, p += station_values) total_.channel.push_back({p[0], p[1]});
-  for (; p != r.data() + r.size(); ++p) counted_.insert(static_cast<std::int64_t>(*p));
+  for (; p != r.data() + r.size(); ++p) counted_.insert(whole_number(*p, 0.0, most_whole, trouble));
 }
 
 }  // namespace icebow

@@ -6,6 +6,7 @@
 
 #include "base/collective.h"
 #include "base/errors.h"
+#include "base/whole_number.h"
 #include "solver/model/load_cycle.h"
 #include "solver/model/plate_on_water.h"
 
@@ -99,15 +100,13 @@ std::vector<double> ProcessWatch::crack_record() const {
 }
 
 void ProcessWatch::restore(const std::vector<double>& r, const std::vector<double>& ice) {
-  std::vector<CrackedColumn> columns;
+  const std::string trouble = "its list of cracks is not whole";
   const double most = std::numeric_limits<int>::max();  // of columns and rows of a lattice
+  if (r.size() % column_values != 0) throw RuntimeError(trouble);
+  std::vector<CrackedColumn> columns;
   for (std::size_t n = 0; n < r.size(); n += column_values)
-    if (n + column_values > r.size() || !(std::abs(r[n]) < most && std::abs(r[n + 1]) < most))
-      throw RuntimeError("its list of cracks is not whole");
-  for (std::size_t n = 0; n + column_values <= r.size(); n += column_values) {
-    columns.push_back({static_cast<std::int64_t>(r[n]), static_cast<std::int64_t>(r[n + 1]), r[n + 2],
-                       r[n + 3], r[n + 4], r[n + 5]});
-  }
+    columns.push_back({whole_number(r[n], -most, most, trouble), whole_number(r[n + 1], -most, most, trouble),
+                       r[n + 2], r[n + 3], r[n + 4], r[n + 5]});
   cracks_.restore(std::move(columns));
   ice_.restore(ice);
 }

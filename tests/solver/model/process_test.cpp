@@ -105,6 +105,17 @@ TEST_CASE("ice that a moving window drops in parts is counted once") {
   CHECK_THROWS_AS(resumed.restore({1.0, 2.0}), RuntimeError);
 }
 
+TEST_CASE("a count of broken ice whose particles, floes or stations are no whole numbers is refused") {
+  DetachedIceCount count;
+  count.restore({1.0, 1.0, 0.0, 0.0, 0.0, 7.0});
+  CHECK(count.record().back() == 7.0);
+  for (const double wrong : {2.02388e267, -1.0, 0.5, std::nan(""), double(INFINITY)}) {
+    CHECK_THROWS_AS(count.restore({1.0, 1.0, 0.0, 0.0, 0.0, wrong}), RuntimeError);
+    CHECK_THROWS_AS(count.restore({1.0, 1.0, 0.0, wrong, 0.0, 7.0}), RuntimeError);
+    CHECK_THROWS_AS(count.restore({1.0, 1.0, 0.0, 0.0, wrong, 7.0}), RuntimeError);
+  }
+}
+
 TEST_CASE("a load in cycles has their period, in noise too") {
   std::mt19937 engine(3);
   std::normal_distribution<double> gauss;
