@@ -20,4 +20,11 @@ enum class HeldBy { length, beam, draft };
 std::optional<double> dimension_for_displacement(const BowParameters& bow, double volume, HeldBy by,
                                                  double lower, double upper);
 
+// A displacement that a bow keeps, by one dimension between two bounds [m].
+struct HeldDisplacement {
+  double volume = 0.0;  //!< [m^3]
+  HeldBy by = HeldBy::length;
+  double lower = 0.0, upper = 0.0;  //!< [m]
+};
+
 }  // namespace icebow

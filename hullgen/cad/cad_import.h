@@ -13,9 +13,9 @@ bool is_cad_file(const std::string& path);
 
 // The surfaces of a .step, .stp, .igs or .iges file as triangles, in metres whatever the file's unit; axes as
 // they stand there. Faces are sewn where they meet within 0.01 % of the size; curved ones are split until
-// chords are within 0.01 % of the size and turn by no more than 3 deg. Loose faces, as IGES files have them,
-// are fine. What was done is added to `notes`. Throws InputError where the file cannot be read, has no
-// surface, or it is not built in.
+// chords are within 0.01 % of the size and turn by no more than 3 deg, and large triangles until their edges
+// are an eightieth of the size. Loose faces, as IGES files have them, are fine. What was done is added to
+// `notes`. Throws InputError where the file cannot be read, has no surface, or it is not built in.
 QuadMesh read_cad(const std::string& path, std::vector<std::string>& notes);
 
 }  // namespace icebow

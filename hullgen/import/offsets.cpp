@@ -106,7 +106,7 @@ class OffsetsReader {
       o_.aft_y = values(cells);
     } else {
       const double x = bytes_.number(name);
-      if (!o_.x.empty() && x == o_.x.back()) bytes_.fail("this station is there twice");
+      if (std::find(o_.x.begin(), o_.x.end(), x) != o_.x.end()) bytes_.fail("this station is there twice");
       const std::vector<double> row = values(cells);
       for (double y : row)
         if (y < 0.0) bytes_.fail("a half-breadth below 0");

@@ -45,7 +45,7 @@ struct Limit {
   }
 };
 
-std::vector<Limit> limits(const BowParameters& bow) {
+std::vector<Limit> limits(const BowParameters& bow, bool generated) {
   const FamilyRanges& f = family_form(bow.family).ranges;
   const LindqvistRange q = lindqvist_range();
   const BowAngles& a = bow.angles;
@@ -54,17 +54,22 @@ std::vector<Limit> limits(const BowParameters& bow) {
   const auto limit = [](const char* angle, const char* whose, double value, Range r) {
     return Limit{angle, whose, value, r.lower, r.upper};
   };
-  return {limit("stem", "usual for the family", a.stem, f.stem),
-          limit("waterline", "usual for the family", a.waterline, f.waterline),
-          limit("buttock", "usual for the family", a.buttock, f.buttock),
-          limit("flare", "usual for the family", a.flare, f.flare),
-          limit("stem", "Lindqvist, this project", a.stem, {q.stem_lower, q.stem_upper}),
-          limit("waterline", "Lindqvist, this project", a.waterline, {q.waterline_lower, q.waterline_upper}),
-          limit("alpha", "FSICR engine power", p1.waterline, deg(15, 55)),
-          limit("phi_1", "FSICR engine power", a.stem, deg(25, 90)),
-          limit("phi_2", "FSICR engine power", a.buttock, deg(10, 90)),
-          limit("gamma at P0", "UR I2 icebreaking form", p0.buttock, deg(0, 80)),
-          limit("beta' at P1", "UR I2 icebreaking form", p1.normal_frame(), deg(10, 90))};
+  std::vector<Limit> all;
+  if (generated)
+    all = {limit("stem", "usual for the family", a.stem, f.stem),
+           limit("waterline", "usual for the family", a.waterline, f.waterline),
+           limit("buttock", "usual for the family", a.buttock, f.buttock),
+           limit("flare", "usual for the family", a.flare, f.flare)};
+  for (const Limit& l :
+       {limit("stem", "Lindqvist, this project", a.stem, {q.stem_lower, q.stem_upper}),
+        limit("waterline", "Lindqvist, this project", a.waterline, {q.waterline_lower, q.waterline_upper}),
+        limit("alpha", "FSICR engine power", p1.waterline, deg(15, 55)),
+        limit("phi_1", "FSICR engine power", a.stem, deg(25, 90)),
+        limit("phi_2", "FSICR engine power", a.buttock, deg(10, 90)),
+        limit("gamma at P0", "UR I2 icebreaking form", p0.buttock, deg(0, 80)),
+        limit("beta' at P1", "UR I2 icebreaking form", p1.normal_frame(), deg(10, 90))})
+    all.push_back(l);
+  return all;
 }
 
 std::string degree_text(double angle) {
@@ -85,7 +90,7 @@ std::string plane_rows(const BowParameters& bow) {
 
 }  // namespace
 
-std::string explanation_text(const BowParameters& bow) {
+std::string explanation_text(const BowParameters& bow, bool generated) {
   const Place p0 = stem(bow), p1 = quarter(bow);
   std::string text =
       plane_rows(bow) +
@@ -100,13 +105,13 @@ std::string explanation_text(const BowParameters& bow) {
                     degree_text(p.buttock), degree_text(p.frame()), degree_text(p.normal_frame())});
   text += text_table(rows) + "\n";
   rows = {{"limits of", "angle", "deg", "from", "to", "is"}};
-  for (const Limit& l : limits(bow))
+  for (const Limit& l : limits(bow, generated))
     rows.push_back(
         {l.whose, l.angle, degree_text(l.value), degree_text(l.lower), degree_text(l.upper), l.verdict()});
   return text + text_table(rows);
 }
 
-Json explanation_json(const BowParameters& bow) {
+Json explanation_json(const BowParameters& bow, bool generated) {
   const Place p0 = stem(bow), p1 = quarter(bow);
   Json json;
   for (const Place& p : {p0, p1}) {
@@ -126,7 +131,7 @@ Json explanation_json(const BowParameters& bow) {
                        {"phi_2", degrees(bow.angles.buttock)},
                        {"psi", degrees(p1.psi())}};
   json["limits"] = Json::array();
-  for (const Limit& l : limits(bow))
+  for (const Limit& l : limits(bow, generated))
     json["limits"].push_back({{"whose", l.whose},
                               {"angle", l.angle},
                               {"value_deg", degrees(l.value)},

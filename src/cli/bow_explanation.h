@@ -11,8 +11,9 @@ namespace icebow {
 // = atan(tan phi_2 / sin alpha) [FSICR2021]. UR I2: alpha waterline angle, gamma buttock angle, tan beta =
 // tan alpha / tan gamma (frame angle), tan beta' = tan beta cos alpha (normal frame angle) [IACSURI2]. Both
 // rules name the upper ice waterline, for which the design waterline stands here.
-std::string explanation_text(const BowParameters& bow);
+// An imported hull is of no family, so its angles have no usual ranges.
+std::string explanation_text(const BowParameters& bow, bool generated);
 // {"planes", "lindqvist_psi_deg", "fsicr_deg", "ur_i2_deg", "limits"}
-Json explanation_json(const BowParameters& bow);
+Json explanation_json(const BowParameters& bow, bool generated);
 
 }  // namespace icebow

@@ -19,6 +19,7 @@
 #include "study/spec/case_hull.h"
 #include "study/spec/document_keys.h"
 #include "study/spec/spec_hints.h"
+#include "study/spec/spec_hold.h"
 #include "study/spec/spec_method.h"
 
 namespace icebow {
@@ -61,7 +62,8 @@ std::string verdict_on(const PlannedDesign& planned) {
   const Case& c = *planned.design.given;
   const BowFeasibility f = check_feasibility(c);
   if (f.feasible) return "";
-  const std::string nearest = c.own.given() ? "" : nearest_feasible_words(c.bow);
+  const std::string nearest =
+      c.own.given() ? "" : nearest_feasible_words(c.bow, held_displacement(planned.design.document));
   return "infeasible: " + f.reason + (nearest.empty() ? "" : "; " + nearest);
 }
 

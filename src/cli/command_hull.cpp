@@ -13,6 +13,7 @@
 #include "study/evaluate/result_json.h"
 #include "study/plan/nearest_feasible.h"
 #include "study/spec/case_hull.h"
+#include "study/spec/spec_hold.h"
 
 namespace icebow {
 namespace {
@@ -82,9 +83,6 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
   const ChosenDesign chosen = choose_design(spec, arguments);
   const BowParameters& bow = chosen.description.bow;
-  if (chosen.description.own.given() && arguments.has("--explain"))
-    throw InputError(
-        "--explain says what limits the angles of a generated bow; this design's hull is imported");
   if (chosen.description.own.given() && is_surface_file(path))
     throw InputError(
         "--out " + path +
@@ -97,20 +95,26 @@ int run_hull(const Communicator&, const Arguments& arguments) {
   json["design"] = chosen.design.name;
   std::string nearest;
   if (hull.status == HullStatus::infeasible && !chosen.description.own.given())
-    nearest = nearest_feasible_words(bow);
+    nearest = nearest_feasible_words(bow, held_displacement(chosen.design.document));
   if (!nearest.empty()) json["nearest_feasible"] = nearest;
   if (chosen.description.own.given()) json["imported"] = imported_json(chosen.description.own);
   if (hull.status == HullStatus::ok && !path.empty())
     write_hull_output(path, hull, bow, drawing_title(spec, chosen), overlaid);
   std::string more;
+  if (hull.status == HullStatus::ok) {
+    const ShellShares shell = forebody_shell(hull.mesh, bow.L, bow.B);
+    json["shell"] = shell_json(shell);
+    more += shell_text(shell);
+  }
   if (hull.status == HullStatus::ok && arguments.has("--hydrostatics")) {
     const HydrostaticsReport report = hydrostatics_report(hull.mesh, at, chosen.description.water.rho);
     json["hydrostatics"] = hydrostatics_json(report);
     more += "\n" + hydrostatics_text(report);
   }
   if (arguments.has("--explain")) {
-    json["explanation"] = explanation_json(bow);
-    more += "\n" + explanation_text(bow);
+    const bool generated = !chosen.description.own.given();  // an imported hull is of no family
+    json["explanation"] = explanation_json(bow, generated);
+    more += "\n" + explanation_text(bow, generated);
   }
   if (arguments.has("--json")) {
     std::cout << json_text(json, 2) << "\n";

@@ -33,6 +33,7 @@ struct MeasureReport {
   ImportedHull hull;
   HydrostaticsReport hydrostatics;
   WaterlineAngles upper, lower;  // along the ice waterlines
+  ShellShares shell;             // of the forebody
   FormAtDraft form;              // the coefficients of the hydrostatics' draft
   struct {
     double tonnes = 0.0, draft = 0.0;  //!< asked for [t], 0: not; found [m]
@@ -166,6 +167,7 @@ Json measure_json(const MeasureReport& report) {
       {"C_P", number(report.form.prismatic_coefficient)}, {"C_M", number(report.form.midship_coefficient)},
       {"TPC_t_cm", number(report.form.tonnes_per_cm)},    {"MCT_tm_cm", number(report.form.moment_to_trim)},
       {"LCB_percent_L", number(report.form.lcb_percent)}, {"LCF_percent_L", number(report.form.lcf_percent)}};
+  json["shell"] = shell_json(report.shell);
   if (report.draft_for_displacement.tonnes > 0.0)
     json["draft_for_displacement"] = {{"displacement_t", report.draft_for_displacement.tonnes},
                                       {"draft_m", report.draft_for_displacement.draft}};
@@ -195,7 +197,7 @@ std::string measure_text(const MeasureReport& report) {
   const auto place = [](const Vec3& p) { return "(" + decimals(p.x(), 3) + ", " + decimals(p.y(), 3) + ")"; };
   return text + "\n" + text_table(rows) + "P0 at (x, y) = " + place(hull.P0) + " m, P1 at " + place(hull.P1) +
          " m on the waterline\n\n" + stations_text(report.upper, "upper") + "\n" +
-         stations_text(report.lower, "lower") + "\n" + form_text(report) + "\n" +
+         stations_text(report.lower, "lower") + "\n" + form_text(report) + shell_text(report.shell) + "\n" +
          hydrostatics_text(report.hydrostatics);
 }
 
@@ -334,6 +336,7 @@ int run_measure(const Communicator&, const Arguments& arguments) {
   report.lower =
       angles_along_waterline(mesh, lower_waterline(arguments, report.hull.T), report.hull.on_chords);
   report.form = form_at(mesh, 0.0, density);
+  report.shell = forebody_shell(mesh, report.hull.L, report.hull.B);
   if (tonnes > 0.0) report.draft_for_displacement = {tonnes, draft_for_volume(mesh, 1e3 * tonnes / density)};
   write_outputs(report, arguments, density);
   if (arguments.has("--json")) {

@@ -9,6 +9,8 @@
 namespace icebow {
 namespace {
 
+constexpr double straight_beams = 10.0;  // radius of curvature that counts as straight, in beams
+
 constexpr int stations = 21;  // ten to the half length, as on a lines plan
 
 }  // namespace
@@ -55,6 +57,24 @@ Json hydrostatics_json(const HydrostaticsReport& report) {
   json["water_density_kg_m3"] = report.water_density;
   json["sections"] = std::move(sections);
   return json;
+}
+
+ShellShares forebody_shell(const QuadMesh& mesh, double length, double beam) {
+  return shell_shares(mesh, -0.5 * length, straight_beams * beam);
+}
+
+std::string shell_text(const ShellShares& shell) {
+  const auto percent = [](double share) { return decimals(100.0 * share, 1) + " %"; };
+  return "shell of the forebody under water: " + decimals(shell.area, 1) + " m2, flat " +
+         percent(shell.flat) + ", single-curved " + percent(shell.single_curved) + ", curved both ways " +
+         percent(shell.double_curved) + "\n";
+}
+
+Json shell_json(const ShellShares& shell) {
+  return {{"forebody_wetted_m2", shell.area},
+          {"flat_share", shell.flat},
+          {"single_curved_share", shell.single_curved},
+          {"double_curved_share", shell.double_curved}};
 }
 
 }  // namespace icebow

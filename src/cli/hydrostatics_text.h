@@ -3,6 +3,7 @@
 
 #include "base/json.h"
 #include "hullgen/hydro/hydrostatics.h"
+#include "hullgen/hydro/shell_curvature.h"
 
 namespace icebow {
 
@@ -18,5 +19,11 @@ HydrostaticsReport hydrostatics_report(const QuadMesh& mesh, const Flotation& at
 std::string hydrostatics_text(const HydrostaticsReport& report);
 // Keys end in their unit; "sections" is the sectional area curve from aft to fore.
 Json hydrostatics_json(const HydrostaticsReport& report);
+
+// How much of the forebody's wetted shell, ahead of half the length, bends one way: a radius above ten beams
+// counts as straight.
+ShellShares forebody_shell(const QuadMesh& mesh, double length, double beam);
+std::string shell_text(const ShellShares& shell);
+Json shell_json(const ShellShares& shell);
 
 }  // namespace icebow

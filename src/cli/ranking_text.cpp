@@ -160,7 +160,8 @@ std::string ranking_text(const Ranking& ranking) {
   if (confirmed) rows[0].insert(rows[0].begin() + 3, {"cycle, kN", "simulated, kN"});
   const std::vector<std::string> scenarios = scenario_names(ranking);
   for (std::size_t k = 0; k < scenarios.size() && scenarios.size() <= most_scenario_columns; ++k)
-    rows[0].insert(rows[0].begin() + 3 + static_cast<std::ptrdiff_t>(k), scenarios[k] + ", kN");
+    rows[0].insert(rows[0].begin() + 3 + static_cast<std::ptrdiff_t>(k),
+                   scenarios[k] + (confirmed ? " by cycle, kN" : ", kN"));
   const bool by_pointer = ranking.rank_by[0] == '/';
   if (by_pointer) rows[0].insert(rows[0].begin() + 2, last_word(ranking.rank_by) + ", kN");
   const bool two = ranking.objective.given();

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Ends studies at random moments, by SIGKILL, SIGINT, SIGTERM and SIGHUP, in both launchers, with an optimiser, with
-repeats, with a race that sails voyages on, and with a checkpoint every few milliseconds; then the same command again
-until it ends by itself. What it comes to must equal the undisturbed study bit for bit: every row but its times, every
+repeats, with a race that sails voyages on, over scenarios, in groups of ranks, and with a checkpoint every few
+milliseconds; then the same command again until it ends by itself. What it comes to must equal the undisturbed study bit for bit: every row but its times, every
 history, the ranking."""
 import random
 import signal
@@ -17,28 +17,44 @@ RACE = {"method": {"type": "grid", "variables": {"/bow/stem_deg": {"values": [24
         "sheet": {"length_m": 46, "width_m": 30, "window_ahead_m": 12},
         "operation": {"speed_kn": 6, "advance_m": 10, "steady_from_m": 1},
         "decide": {"best_within": 0.02, "longest_m": 20}}
+SCENARIOS = {"designs": [], "scenarios": [{"name": "slow", "weight": 2, "set": {"operation": {"speed_kn": 5}}},
+                                          {"name": "fast", "set": {"operation": {"speed_kn": 6}}}]}
+# What is run, by how many ranks, and the words after it; three ranks and two jobs are two groups beside the driver.
+GROUPS = ("--jobs", "2")
 CASES = {"isolated, repeats": (GRID, 0), "isolated, optimiser": (OPTIMISER, 0), "isolated, race": (RACE, 0),
          "embedded, 2 ranks, repeats": (GRID, 2), "embedded, 2 ranks, optimiser": (OPTIMISER, 2),
-         "embedded, 2 ranks, race": (RACE, 2)}
+         "embedded, 2 ranks, race": (RACE, 2),
+         "isolated, scenarios": (SCENARIOS, 0), "embedded, 2 ranks, scenarios": (SCENARIOS, 2),
+         "in groups, 3 ranks, repeats": (GRID, 3, *GROUPS), "in groups, 3 ranks, race": (RACE, 3, *GROUPS)}
 OFTEN = {"ICEBOW_CHECKPOINT_SECONDS": "0.02"}  # so that many a blow falls while one is written
 
 
-def reference(place, name, document, ranks):
+def reference(place, name, document, ranks, options):
     path, begin = place.write("study.json", document), time.time()
-    result = place.run("run", path, "--out", place.path / "whole", ranks=ranks, extra=OFTEN)
+    result = place.run("run", path, "--out", place.path / "whole", *options, ranks=ranks, extra=OFTEN)
     if result.returncode != 0:
         sys.exit(f"{name}: the undisturbed study failed: {result.stderr}")
     return path, time.time() - begin, common.outcome_of(place, place.path / "whole")
 
 
-def attack(program, name, document, ranks, wanted, signals, dice):
+def go_on(place, words, ranks):
+    """The same command until it ends by itself. Ranks outlive an mpirun that was killed by a second: the lock tells."""
+    for _ in range(20):
+        last = place.run(*words, ranks=ranks, extra=OFTEN)
+        if last.returncode == 0 or "another icebow run is working" not in last.stderr:
+            break
+        time.sleep(0.5)
+    return last
+
+
+def attack(program, name, document, ranks, options, wanted, signals, dice):
     """Runs studies until so many blows have fallen; blows and faults."""
     blows, faults, rounds = {number: 0 for number in signals}, [], 0
     with common.Place(program) as place:
-        path, seconds, expected = reference(place, name, document, ranks)
+        path, seconds, expected = reference(place, name, document, ranks, options)
         while sum(blows.values()) < wanted:
             out, rounds = place.path / f"cut{rounds}", rounds + 1
-            words = ("run", path, "--out", out)
+            words = ("run", path, "--out", out, *options)
             for _ in range(6):
                 number = dice.choice(signals)
                 process = place.start(*words, ranks=ranks, extra=OFTEN)
@@ -50,9 +66,9 @@ def attack(program, name, document, ranks, wanted, signals, dice):
                     faults.append(f"{name}: {number} did not end it in a minute")
                 if sum(blows.values()) >= wanted:
                     break
-            last = place.run(*words, ranks=ranks, extra=OFTEN)
+            last = go_on(place, words, ranks)
             if last.returncode != 0:
-                faults.append(f"{name}: the command did not go on: exit {last.returncode}: {last.stderr[-500:]}")
+                faults.append(f"{name}: the command did not go on: exit {last.returncode}: {last.stderr[-1500:-450] or last.stderr}")
             elif common.outcome_of(place, out) != expected:
                 faults.append(f"{name}: another result than undisturbed, round {rounds}")
     return blows, rounds, faults
@@ -65,9 +81,9 @@ def main():
     count = 8 if chosen.short else chosen.count
     cases = dict(list(CASES.items())[::2]) if chosen.short else CASES
     total, faults = 0, []
-    for name, (patch, ranks) in cases.items():
-        blows, rounds, wrong = attack(chosen.program, name, common.study(**patch), ranks, -(-count // len(cases)),
-                                      signals, dice)
+    for name, (patch, ranks, *options) in cases.items():
+        blows, rounds, wrong = attack(chosen.program, name, common.study(**patch), ranks, options,
+                                      -(-count // len(cases)), signals, dice)
         total += sum(blows.values())
         faults += wrong
         fell = ", ".join(f"{n} {signal.Signals(s).name}" for s, n in blows.items() if n)

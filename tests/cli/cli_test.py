@@ -222,7 +222,12 @@ class HullAndResistance(ProgramTest):
         self.assertAlmostEqual(hull["hydrostatics"]["draft_m"], 6.5, delta=1e-9)
         lower = json.loads(self.expect(0, "hull", study, "--design", "Lower stem", "--json").stdout)
         self.assertAlmostEqual(lower["measured_deg"]["stem"], 24, delta=0.05)
-        self.assertIn("imported", self.expect(2, "hull", study, "--explain").stderr)
+        explained = json.loads(self.expect(0, "hull", study, "--explain", "--json").stdout)["explanation"]
+        self.assertAlmostEqual(explained["fsicr_deg"]["phi_1"], found["angles_deg"]["stem"], delta=1e-9)
+        self.assertFalse(any("family" in limit["whose"] for limit in explained["limits"]))  # it is of none
+        self.assertEqual(hull["shell"], found["shell"])
+        self.assertAlmostEqual(sum(hull["shell"][k] for k in ("flat_share", "single_curved_share",
+                                                              "double_curved_share")), 1, delta=1e-9)
         self.assertIn("no mistakes", self.expect(0, "check", study).stdout)
         self.assertIn("/hull/file", self.expect(2, "check", study, "--set", "/hull/file=none.obj").stderr)
 

@@ -27,6 +27,9 @@ CHARTS = {"": FULL, "pareto": FULL | {"chart-front"}, "unfinished": FULL,
           "cycle": FULL - {"chart-effects", "chart-response"},
           "formula": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"}}
 
+# Of four bows, the best three with their cards, each of which has less than three pages. It prints on 12.
+MOST_PAGES = 13
+
 # What a reader does, in the page itself; each line of `done` is a check that held.
 READER = """
 const done = [], $ = (id) => document.getElementById(id);
@@ -126,6 +129,17 @@ def page_in_browser(browser, html, address="#charts=all"):
     return result.stdout
 
 
+def pages_on_paper(browser, html):
+    """How many sheets of A4 the page prints on, charts drawn."""
+    with tempfile.TemporaryDirectory() as folder:
+        pdf = os.path.join(folder, "page.pdf")
+        flags = [flag for flag in FLAGS if flag != "--dump-dom"]
+        subprocess.run([browser, *flags, "--user-data-dir=" + folder, "--no-pdf-header-footer", "--print-to-pdf=" + pdf,
+                        "file://" + html], capture_output=True, timeout=100)
+        with open(pdf, "rb") as file:
+            return len(re.findall(rb"/Type\s*/Page\b", file.read()))
+
+
 def write_study(kind, study, directory):
     """A made-up study; "cycle" is a real one, with the process of the breaking in its cards; "many" has 41 designs."""
     if kind not in ("cycle", "many"):
@@ -206,6 +220,8 @@ def main():
             html = os.path.join(study, "report.html")
             mistakes = mistakes_of(page_in_browser(browser, html), charts)
             mistakes += findings_of(browser, html, axe) + badly_laid_out(browser, html)
+            if kind == "cycle" and not 0 < pages_on_paper(browser, html) <= MOST_PAGES:
+                mistakes.append(f"on paper it has {pages_on_paper(browser, html)} pages, at most {MOST_PAGES} are right")
             print(kind or "finished", "ok" if not mistakes else mistakes)
             failed = failed or bool(mistakes)
             if kind not in ("", "many"):

@@ -39,9 +39,20 @@ void set(BowParameters& bow, const Parameter& p, double value) {
     bow.angles.*p.angle = radians(value);
 }
 
-BowParameters at(const BowParameters& bow, const std::vector<double>& x) {
+using Held = std::optional<HeldDisplacement>;
+
+double& kept_by(BowParameters& bow, HeldBy by) {
+  return by == HeldBy::beam ? bow.B : by == HeldBy::draft ? bow.T : bow.L;
+}
+
+// NaN for the dimension that keeps the displacement where none does: every margin is then violated.
+BowParameters at(const BowParameters& bow, const std::vector<double>& x, const Held& held) {
   BowParameters result = bow;
   for (std::size_t k = 0; k < x.size(); ++k) set(result, parameters[k], x[k]);
+  if (!held) return result;
+  kept_by(result, held->by) =
+      dimension_for_displacement(result, held->volume, held->by, held->lower, held->upper)
+          .value_or(std::nan(""));
   return result;
 }
 
@@ -50,7 +61,7 @@ double slack_of(const Margin& g) {
   return g.name == "g3" || g.name == "g4" || g.name == "g7" ? slack_of_others : slack_of_lengths;
 }
 
-OptimiserProblem problem_of(const BowParameters& bow) {
+OptimiserProblem problem_of(const BowParameters& bow, const Held& held) {
   OptimiserProblem problem;
   for (const Parameter& p : parameters) {
     const double value = value_of(bow, p);
@@ -69,9 +80,9 @@ OptimiserProblem problem_of(const BowParameters& bow) {
     }
     return sum;
   };
-  problem.margins = [bow](const std::vector<double>& x) {
+  problem.margins = [bow, held](const std::vector<double>& x) {
     std::vector<double> margins;
-    for (const Margin& g : check_feasibility(at(bow, x)).margins)
+    for (const Margin& g : check_feasibility(at(bow, x, held)).margins)
       margins.push_back(g.required ? g.value - slack_of(g) : 1.0);
     return margins;
   };
@@ -79,7 +90,8 @@ OptimiserProblem problem_of(const BowParameters& bow) {
 }
 
 // To the fewest decimals, from two on, with which the bow stays feasible.
-std::optional<std::vector<double>> rounded(const BowParameters& bow, const std::vector<double>& best) {
+std::optional<std::vector<double>> rounded(const BowParameters& bow, const std::vector<double>& best,
+                                           const Held& held) {
   for (double unit = 1e-2; unit > 1e-9; unit *= 0.1) {
     std::vector<double> x = best;
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -87,21 +99,22 @@ std::optional<std::vector<double>> rounded(const BowParameters& bow, const std::
       const double was = value_of(bow, parameters[k]);
       x[k] = std::abs(x[k] - was) < 0.5 * unit ? was : unit * std::round(x[k] / unit);
     }
-    if (check_feasibility(at(bow, x)).feasible) return x;
+    if (check_feasibility(at(bow, x, held)).feasible) return x;
   }
   return {};
 }
 
 }  // namespace
 
-std::optional<NearestBow> nearest_feasible(const BowParameters& bow) {
+std::optional<NearestBow> nearest_feasible(const BowParameters& bow, const Held& held) {
   if (!dimension_problem(bow).empty() || !std::isfinite(angle_range(bow.angles).margin)) return {};
   OptimiserOptions options;
   options.algorithm = "cobyla";
-  options.max_evaluations = 3000;
+  // Beam and draught that keep a displacement are found by bisection, at each evaluation.
+  options.max_evaluations = held && held->by != HeldBy::length ? 600 : 3000;
   options.tolerance = 1e-5;
   // The search's own best is the start, at no distance: what counts is the best point with its margins kept.
-  OptimiserProblem problem = problem_of(bow);
+  OptimiserProblem problem = problem_of(bow, held);
   std::vector<double> best;
   double least = 1e300;
   const auto distance = problem.value;
@@ -126,21 +139,30 @@ std::optional<NearestBow> nearest_feasible(const BowParameters& bow) {
     optimise(problem, options);
   }
   if (best.empty()) return {};
-  const auto x = rounded(bow, best);
+  const auto x = rounded(bow, best, held);
   if (!x) return {};
   NearestBow nearest;
-  nearest.bow = at(bow, *x);
+  nearest.bow = at(bow, *x, held);
   for (std::size_t k = 0; k < x->size(); ++k) {
     const double was = value_of(bow, parameters[k]);
-    if ((*x)[k] != was)
+    const bool follows = held && held->by == HeldBy::length && parameters[k].length == &BowParameters::L;
+    if ((*x)[k] != was && !follows)
       nearest.changes.push_back(
           text("%s %.10g -> %.10g %s", parameters[k].name, was, (*x)[k], parameters[k].length ? "m" : "deg"));
+  }
+  if (held) {
+    BowParameters was = bow;
+    const char* name = held->by == HeldBy::beam    ? "beam B"
+                       : held->by == HeldBy::draft ? "draught T"
+                                                   : "length L";
+    nearest.changes.push_back(text("and, to keep %.10g m3, %s %.10g -> %.10g m", held->volume, name,
+                                   kept_by(was, held->by), kept_by(nearest.bow, held->by)));
   }
   return nearest;
 }
 
-std::string nearest_feasible_words(const BowParameters& bow) {
-  const auto nearest = nearest_feasible(bow);
+std::string nearest_feasible_words(const BowParameters& bow, const Held& held) {
+  const auto nearest = nearest_feasible(bow, held);
   if (!nearest) return "";
   std::string words;
   for (const std::string& change : nearest->changes) words += (words.empty() ? "" : ", ") + change;

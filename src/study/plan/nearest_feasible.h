@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hullgen/bow/bow.h"
+#include "hullgen/bow/bow_volume.h"
 
 namespace icebow {
 
@@ -20,9 +20,13 @@ struct NearestBow {
 // tenth of a length, and the sum of squares is the least that NLopt's COBYLA finds over the closed-form
 // margins. Nothing where dimensions are the matter (g6: no range of angles helps), or none is found within 30
 // deg, half to twice the bow length and up to twice the ship's.
-std::optional<NearestBow> nearest_feasible(const BowParameters& bow);
+// With a displacement that is held, the dimension that keeps it follows, as in a study (spec_hold.h), and is
+// told with the changes.
+std::optional<NearestBow> nearest_feasible(const BowParameters& bow,
+                                           const std::optional<HeldDisplacement>& held = {});
 
 // "the nearest feasible bow as a whole: stem angle ..., bow length ..."; "" where there is none.
-std::string nearest_feasible_words(const BowParameters& bow);
+std::string nearest_feasible_words(const BowParameters& bow,
+                                   const std::optional<HeldDisplacement>& held = {});
 
 }  // namespace icebow

@@ -51,6 +51,15 @@ std::string held_pointer(const Json& document) {
   return pointer_to(document, read_hold(document, mistakes).by);
 }
 
+std::optional<HeldDisplacement> held_displacement(const Json& document) {
+  if (!has_hold(document)) return {};
+  Mistakes mistakes;
+  const Hold hold = read_hold(document, mistakes);
+  if (std::isnan(hold.displacement)) return {};
+  const Key& key = *find_key("bow", hold.by);
+  return HeldDisplacement{hold.displacement, dimension_of(hold), key.lower, key.upper};
+}
+
 void check_hold(const Json& document, const Case& c, Mistakes& mistakes) {
   if (!document.contains("hold")) return;
   const std::size_t before = mistakes.size();

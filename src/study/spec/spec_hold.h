@@ -4,6 +4,7 @@
 // section "bow", so its key, its hull and its results are those of the same bow given directly.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "hullgen/bow/bow_volume.h"
@@ -29,6 +30,9 @@ HeldBy dimension_of(const Hold& hold);
 double held_value(const BowParameters& bow, const Hold& hold);
 // Whether dimensions and angles are in range, so that a displacement can be computed.
 bool in_range(const BowParameters& bow);
+
+// What a design's document holds; nothing where it has no section "hold".
+std::optional<HeldDisplacement> held_displacement(const Json& document);
 
 // Notes the mistakes of section "hold", and a bow in range that does not displace what is held.
 void check_hold(const Json& document, const Case& c, Mistakes& mistakes);

@@ -32,6 +32,7 @@
 #include "hullgen/bow/family.h"
 #include "hullgen/bow/feasibility.h"
 #include "hullgen/cad/cad_import.h"
+#include "hullgen/import/imported_hull.h"
 #include "tests/support/paper_bows.h"
 
 using namespace icebow;
@@ -194,6 +195,42 @@ TEST_CASE("IGES: one valid solid in metres, on the mesh, with the four angles") 
     CHECK(deviation(shape, mesh, 41) < 1e-8 * bow.L);  // found 5e-10, as above
     CHECK(degrees(largest_difference(bow.angles, angles(shape, mesh, bow_beam(bow)))) < 0.05);
   }
+}
+
+TEST_CASE("STEP and IGES read back are the hull, its angles and its stem bar") {
+  const Scratch scratch;
+  for (const auto& [family, name] :
+       {std::pair(BowFamily::concave, "hull.step"), std::pair(BowFamily::semi_spoon_chines, "hull.step"),
+        std::pair(BowFamily::high_flare, "hull.igs")}) {
+    CAPTURE(family_form(family).key, name);
+    BowParameters bow = preset_bow(family);
+    if (family == BowFamily::high_flare) bow.centre.stem_radius = 0.6;
+    const std::string path = scratch.file(name);
+    const double volume = write_cad(path, hull_surfaces(bow), "A hull");
+    const ImportedHull hull = import_hull(path, {});
+    const BowAngles& found = hull.measured.angles;
+    CHECK(enclosed_volume(hull.mesh) == Approx(volume).epsilon(1e-3));  // chords within 0.01 % of the size
+    CHECK(hull.L == Approx(bow.L).epsilon(1e-4));                       // likewise
+    CHECK(hull.B == Approx(bow_beam(bow)).epsilon(1e-4));               // likewise
+    // deg: found 0.06, and 0.20 for the entrance outside a bar, by triangles of 1.5 m.
+    CHECK(degrees(largest_difference(bow.angles, found)) < (bow.centre.stem_radius > 0.0 ? 0.3 : 0.1));
+    CHECK(hull.measured.stem_radius == Approx(bow.centre.stem_radius).margin(0.05));  // m: chords of the bar
+    CHECK(hull.mesh.quads.size() < 150000);  // bounded, also where the shoulder's triangles are needles
+  }
+}
+
+TEST_CASE("the unit a STEP file is written in counts") {
+  const Scratch scratch;
+  const BowParameters bow = preset_bow(BowFamily::concave);
+  const std::string path = scratch.file("hull.step"), metre = "SI_UNIT($,.METRE.)";
+  write_cad(path, hull_surfaces(bow), "A hull");
+  std::string text = read_text_file(path);
+  const std::size_t at = text.find(metre);
+  REQUIRE(at != std::string::npos);
+  write_text_file(path, text.replace(at, metre.size(), "SI_UNIT(.CENTI.,.METRE.)"));
+  std::vector<std::string> notes;
+  const Box box = bounding_box(read_cad(path, notes));
+  CHECK(box.upper.y() - box.lower.y() == Approx(0.01 * bow.B).epsilon(1e-4));  // chords
 }
 
 TEST_CASE("random feasible bows of every family close to a valid solid") {

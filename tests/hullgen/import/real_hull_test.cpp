@@ -299,6 +299,26 @@ TEST_CASE("offsets written and read back are the same hull") {
   CHECK(displaced_volume(back.mesh, 0.0) == Approx(base_volume).epsilon(2e-3));  // likewise
   CHECK(degrees(back.measured.angles.stem) == Approx(26.565).margin(at_ends));
   CHECK(degrees(back.measured.angles.flare) == Approx(38.660).margin(at_ends));
+  CHECK(offsets_csv(read_offsets(scratch.path() + "/hull.csv")) == offsets_csv(offsets_of(hull.mesh)));
   std::ofstream(scratch.path() + "/bad.csv") << "x_m,-5,0\n0,1,x\n";
   CHECK_THROWS_WITH(import_hull(scratch.path() + "/bad.csv", {}), Catch::Contains("bad.csv, line 2"));
+}
+
+TEST_CASE("offsets of a box, as a person types them: ends left out, stations in any order") {
+  const Scratch scratch("typed_offsets");
+  const std::string path = scratch.path() + "/box.csv";
+  std::ofstream(path) << "# a barge\nx_m,-4,-2,0,3\n-40,5,5,5,5\n0,5,5,5,5\n-20,5,5,5,5\n";
+  const Offsets offsets = read_offsets(path);
+  CHECK(offsets.x == std::vector<double>{0.0, -20.0, -40.0});
+  const ImportedHull barge = import_hull(path, {});
+  CHECK(enclosed_volume(barge.mesh) == Approx(40.0 * 10.0 * 7.0));
+  CHECK(barge.T == Approx(4.0));
+  const auto refused = [&](const char* table, const char* why) {
+    std::ofstream(path) << table;
+    CHECK_THROWS_WITH(read_offsets(path), Catch::Contains("box.csv") && Catch::Contains(why));
+  };
+  refused("x_m,-4,0\n0,5,-1\n", "line 2");
+  refused("x_m,-4,0\n0,5,5\n-9,5,5\n0,5,5\n", "there twice");
+  refused("x_m,-4,0\n0,5,5,5\n-9,5,5\n", "line 2");
+  refused("", "box.csv");
 }
