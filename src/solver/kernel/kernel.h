@@ -74,7 +74,8 @@ struct BondLaw {
   Real stress_per_stretch, stress_per_theta;
 };
 
-// Fits G, R, H; relative error below 2e-6 in fp32; in fp64 2e-11, of calm 2e-9 (tests/solver/kernel/kernel_test.cpp).
+// Fits G, R, H; relative error below 2e-6 in fp32; in fp64 2e-11, of the calm law 2e-9
+// (tests/solver/kernel/kernel_test.cpp).
 template <class Real>
 BondLaw<Real> make_bond_law(const Material& material);
 
