@@ -35,7 +35,7 @@ std::vector<int> ends_of(const std::vector<OpenEdge>& open) {
 // Points by their x, so that those near an edge are found without looking at all.
 class ByX {
  public:
-  ByX(const std::vector<Vec3>& points, const std::vector<int>& of) : points_(points) {
+  ByX(const std::vector<Vec3>& points, const std::vector<int>& of) {
     for (const int k : of) sorted_.push_back({points[k].x(), k});
     std::sort(sorted_.begin(), sorted_.end());
   }
@@ -46,7 +46,6 @@ class ByX {
   }
 
  private:
-  const std::vector<Vec3>& points_;
   std::vector<std::pair<double, int>> sorted_;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "base/errors.h"
@@ -14,6 +15,7 @@
 #include "base/parallel_file.h"
 #include "base/printable.h"
 #include "base/text.h"
+#include "base/whole_number.h"
 #include "solver/model/describe_history.h"
 #include "solver/run/case_text.h"
 #include "solver/run/sheet_file.h"
@@ -155,6 +157,17 @@ void save_checkpoint(const Communicator& comm, const std::string& path, const st
   if (!trouble.empty()) throw RuntimeError(trouble);
 }
 
+namespace {
+
+std::int64_t count_at(const Json& run, const char* key, double most = most_whole) {
+  const Json& value = run.at(key);
+  const std::string trouble = std::string(key) + " is no count";
+  if (!value.is_number()) throw RuntimeError(trouble);
+  return whole_number(value.get<double>(), 0.0, most, trouble);
+}
+
+}  // namespace
+
 std::string why_not_resumable(const Communicator& comm, const std::string& path, const std::string& case_text,
                               int precision, std::int64_t last_step, bool* damaged) {
   if (damaged) *damaged = false;
@@ -165,9 +178,9 @@ std::string why_not_resumable(const Communicator& comm, const std::string& path,
     const std::string difference = case_difference(file.read_text("case"), case_text);
     if (!difference.empty()) return "is of another run: " + difference;
     if (run.at("precision_bytes") != precision) return "was computed in another floating-point precision";
-    if (run.at("steps").get<std::int64_t>() > last_step)
-      return text("is of a longer voyage: %lld steps there, %lld here",
-                  static_cast<long long>(run.at("steps").get<std::int64_t>()),
+    const std::int64_t steps = count_at(run, "steps");
+    if (steps > last_step)
+      return text("is of a longer voyage: %lld steps there, %lld here", static_cast<long long>(steps),
                   static_cast<long long>(last_step));
   } catch (const std::exception& error) {  // the same on every rank: all have read the same
     if (damaged) *damaged = true;
@@ -194,12 +207,11 @@ void restore(const Communicator& comm, const Lists& lists, RunState& run) {
   const Json &json = lists.run, &dropped = json.at("window_dropped"), &given = json.at("given_away"),
              &contact = json.at("contact_energy"), &linear = json.at("linear_blocks");
   const bool root = comm.is_root();
-  if (json.at("steps") < 0 || json.at("window_first") < 0 ||
-      json.at("window_first").get<std::int64_t>() % block != 0)
-    throw RuntimeError("its counts are none of a run");
-  run.stepper.sheet().start_at(json.at("window_first"));
+  const std::int64_t first = count_at(json, "window_first", std::numeric_limits<int>::max());
+  if (first % block != 0) throw RuntimeError("its window begins within a block");
+  run.stepper.sheet().start_at(static_cast<int>(first));
   run.stepper.restore(
-      json.at("steps"), root ? json.at("broken_bonds").get<std::int64_t>() : 0,
+      count_at(json, "steps"), root ? count_at(json, "broken_bonds") : 0,
       root ? json.at("impulse").get<ExactImpulse::Counts>() : ExactImpulse::Counts{},
       root ? EnergyCounts{dropped.at(0), dropped.at(1), dropped.at(2), dropped.at(3)} : EnergyCounts{},
       root ? SurroundingsCounts{given.at(0), given.at(1), given.at(2)} : SurroundingsCounts{});

@@ -423,6 +423,24 @@ TEST_CASE("a damaged checkpoint is set aside with a word where the run may start
   }
 }
 
+TEST_CASE("a count in a checkpoint that is no count is damage") {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "counts");
+  const std::string path = folder.file("checkpoint.h5");
+  for (const char* steps : {"1e300", "-3", "2.5", "18446744073709551615", "\"7\"", "null"}) {
+    ParallelFile file = ParallelFile::create(world, path);
+    file.write_text("run", std::string(R"({"format":6,"precision_bytes":4,"steps":)") + steps + "}");
+    file.write_text("case", "V = 1");
+    file.close();
+    bool damaged = false;
+    INFO(steps);
+    CHECK_THAT(why_not_resumable(world, path, "V = 1", 4, 100, &damaged),
+               Catch::Contains("steps is no count"));
+    CHECK(damaged);
+    world.barrier();
+  }
+}
+
 TEST_CASE("the share of linear ice is that of the whole run, on any ranks and after an interruption") {
   const Communicator& world = test_world();
   Files files(world);
