@@ -250,7 +250,7 @@ typename Simd<Real>::V column_force(const LinearFields<Real>& f, const ColumnWei
 }
 
 // The sums of more layers would not fit into a processor's registers.
-constexpr int most_column_layers = 3;
+inline constexpr int most_column_layers = 3;
 
 // Of a law: bits looked at, weights of each particle.
 template <class Real>

@@ -134,7 +134,7 @@ typename Simd<Real>::V family_force(const RowFields<Real>& f, const FamilyTables
     const V centre[3] = {S::load(u[0]), S::load(u[1]), S::load(u[2])}, own_theta = S::load(theta);
     V sum[3] = {}, high = largest;
     for_family<Real, per_lane>(
-        t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, auto number) {
+        t, b, lane0, [&](const auto& row, const auto& fb, const Real* weight, [[maybe_unused]] auto number) {
           const Bond<Real> bond = bond_at(row, fb, u, centre);
           const V both = own_theta + S::load(theta + fb.neighbour);
           high = S::max(high, both);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace icebow {
 namespace {
@@ -117,6 +118,36 @@ LoadStatistics series_statistics(const Values& values) {
   const double t = students_t_975(std::max(1.0, result.effective_samples - 1.0));
   result.ci95 = t * result.standard_deviation / std::sqrt(result.effective_samples);
   return result;
+}
+
+namespace {
+
+// Ranks from 1, equal values sharing the average of theirs.
+std::vector<double> average_ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    const double average = 0.5 * static_cast<double>(i + 1 + end);
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = average;
+  }
+  return ranks;
+}
+
+}  // namespace
+
+double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::vector<double> a = average_ranks(x), b = average_ranks(y);
+  const double mean = 0.5 * static_cast<double>(a.size() + 1);
+  double ab = 0.0, aa = 0.0, bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - mean) * (b[i] - mean);
+    aa += (a[i] - mean) * (a[i] - mean);
+    bb += (b[i] - mean) * (b[i] - mean);
+  }
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace icebow

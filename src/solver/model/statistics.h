@@ -1,7 +1,7 @@
-// Mean of a correlated series and how far to trust it.
+// Mean of a correlated series and how far to trust it; correlation of ranks.
 //
-// For finite values no result is NaN: a series too short for an interval has an infinite one, a constant
-// series has ci95 = 0.
+// For finite values no statistic of a series is NaN: a series too short for an interval has an infinite one,
+// a constant series has ci95 = 0.
 #pragma once
 
 #include <vector>
@@ -26,5 +26,9 @@ LoadStatistics series_statistics(const std::vector<double>& values);
 // Half width of the 95 % confidence interval of the mean of independent values (the means of repeated runs):
 // Student's t of their scatter. Infinite for fewer than two.
 double interval_of_repeats(const std::vector<double>& values);
+
+// Spearman's rank correlation: Pearson's of the ranks, equal values sharing the average of their ranks
+// (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.
+double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace icebow

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -11,7 +10,6 @@
 #include "base/collective.h"
 #include "base/errors.h"
 #include "base/json_fields.h"
-#include "base/printable.h"
 #include "formula/lindqvist.h"
 #include "geometry/mesh_slice.h"
 #include "hullgen/drawing/lines_plan.h"
@@ -20,16 +18,16 @@
 #include "solver/run/checkpoint.h"
 #include "study/evaluate/calibration.h"
 #include "study/evaluate/cycle_run.h"
+#include "study/evaluate/design_work.h"
 #include "study/evaluate/evaluator_inputs.h"
-#include "study/evaluate/history_csv.h"
 #include "study/evaluate/patch_tests.h"
 #include "study/evaluate/process_json.h"
 #include "study/evaluate/program_evaluator.h"
 #include "study/evaluate/provenance.h"
-#include "study/evaluate/resolution_bias.h"
 #include "study/evaluate/result_json.h"
 #include "study/evaluate/result_keys.h"
 #include "study/evaluate/scenario_result.h"
+#include "study/evaluate/simulation_step.h"
 #include "study/evaluate/voyage_picture.h"
 #include "study/spec/case_hull.h"
 
@@ -38,45 +36,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// One design on its way to its result.
-struct Work {
-  const Communicator& comm;
-  const Design& design;
-  const EvaluateOptions& options;
-  Json result;  // so far
-  Hull hull;
-  std::vector<std::string> notes;  // what a reader of the result should know
-
-  const Case* condition = nullptr;  // the scenario under way; none: the design's own
-  bool draws = true;                // of several scenarios, the first has its files
-  int conditions_over = 0;          // scenarios before it
-
-  const Case& given() const { return condition ? *condition : *design.given; }
-  bool writes() const { return !options.directory.empty() && draws; }
-  std::string path(const std::string& file) const {
-    return (std::filesystem::path(options.directory) / file).string();
-  }
-};
-
-// How a step ends: `ok` goes on to the next, anything else leaves the rest out.
-struct Ending {
-  EvaluationStatus status = EvaluationStatus::ok;
-  std::string reason;
-};
-
-Ending failed(const std::string& reason) {
-  return {EvaluationStatus::failed, reason};
-}
-
-Ending read(Work& work) {
+StepEnd read(DesignWork& work) {
   const Design& design = work.design;
   if (!design.given && design.mistake.empty())
     throw std::logic_error("a design that read_design() has not read");
   const std::string mistake = first_trouble(work.comm, design.mistake);
-  return mistake.empty() ? Ending{} : failed(mistake);
+  return mistake.empty() ? StepEnd{} : failed(mistake);
 }
 
-void write_hull(Work& work) {
+void write_hull(DesignWork& work) {
   write_mesh(work.path("hull.obj"), work.hull.mesh);
   write_text_file(work.path("lines.svg"), lines_plan_svg(work.hull, work.given().bow, work.design.name));
   work.result["files"]["hull"] = "hull.obj";
@@ -108,7 +76,7 @@ Json afloat_json(const Case& c, const QuadMesh& mesh) {
   }
 }
 
-Ending measure_hull(Work& work) {
+StepEnd measure_hull(DesignWork& work) {
   const Case& c = work.given();
   const bool meshed = !work.design.asked.formula_alone();
   work.hull = meshed ? make_hull(c) : unmeshed(c);
@@ -121,19 +89,14 @@ Ending measure_hull(Work& work) {
   return {};
 }
 
-Ending apply_formula(Work& work) {
+StepEnd apply_formula(DesignWork& work) {
   if (!work.design.asked.lindqvist) return {};
   const LindqvistInputs inputs = lindqvist_inputs(work.given());
   work.result["lindqvist"] = lindqvist_json(lindqvist(inputs), inputs);
   return {};
 }
 
-void write_history(Work& work, const History& history) {
-  write_text_file(work.path("history.csv"), history_csv(history));
-  work.result["files"]["history"] = "history.csv";
-}
-
-void draw_voyage(Work& work, const CycleOutcome& outcome) {
+void draw_voyage(DesignWork& work, const CycleOutcome& outcome) {
   const auto lines = slice(work.hull.mesh, 2, 0.0);
   const auto longest = std::max_element(
       lines.begin(), lines.end(), [](const Polyline& a, const Polyline& b) { return a.size() < b.size(); });
@@ -146,7 +109,7 @@ void draw_voyage(Work& work, const CycleOutcome& outcome) {
 }
 
 // Where nothing finer is asked for, its record stands where a simulation's would.
-Ending run_voyages(Work& work) {
+StepEnd run_voyages(DesignWork& work) {
   if (!work.design.asked.cycle) return {};
   cycle::BreakingRule rule;
   try {
@@ -177,7 +140,7 @@ Ending run_voyages(Work& work) {
 }
 
 // As the root has run it; every rank gets the same, or throws the same.
-Json program_on_root(Work& work, const ProgramEvaluator& program) {
+Json program_on_root(DesignWork& work, const ProgramEvaluator& program) {
   Json told = Json::object();
   if (work.comm.is_root()) {
     try {
@@ -198,7 +161,7 @@ Json program_on_root(Work& work, const ProgramEvaluator& program) {
   return told;
 }
 
-Ending run_programs(Work& work) {
+StepEnd run_programs(DesignWork& work) {
   for (const ProgramEvaluator& program : work.design.asked.programs) {
     const Json told = program_on_root(work, program);
     if (told.at("interrupted").get<bool>()) return {EvaluationStatus::running, "interrupted"};
@@ -214,119 +177,16 @@ Ending run_programs(Work& work) {
   return {};
 }
 
-Ending run_formulas(Work& work) {
+StepEnd run_formulas(DesignWork& work) {
   for (const auto step : {apply_formula, run_programs, run_voyages}) {
-    const Ending ending = step(work);
+    const StepEnd ending = step(work);
     if (ending.status != EvaluationStatus::ok) return ending;
   }
   return {};
 }
 
-// A hull and voyages take a while.
-Ending look_for_stop(Work& work) {
-  const bool stop = work.comm.is_root() && work.options.stop && work.options.stop();
-  return work.comm.any(stop) ? Ending{EvaluationStatus::running, "interrupted"} : Ending{};
-}
-
-// Of several scenarios as if they were one voyage.
-std::function<void(const Progress&)> progress_of(const Work& work) {
-  const auto scenarios = static_cast<std::int64_t>(work.design.given->scenarios.size());
-  if (!work.options.on_progress || scenarios < 2) return work.options.on_progress;
-  return [&tell = work.options.on_progress, scenarios, over = work.conditions_over](Progress p) {
-    p.step += over * p.steps, p.steps *= scenarios;
-    tell(p);
-  };
-}
-
-RunOptions run_options(Work& work) {
-  const Case& c = work.given();
-  RunOptions options;
-  if (work.draws) {
-    options.directory = work.options.directory;
-    options.snapshots = c.snapshots;
-    options.pictures = c.pictures;
-  }
-  options.name = work.design.name;
-  options.lambda = c.lambda;
-  options.snapshot_format = c.snapshot_format;
-  options.seed = c.seed;
-  options.on_progress = progress_of(work);
-  options.stop = work.options.stop;
-  options.checkpoint_now = work.options.checkpoint_now;
-  if (!work.options.directory.empty()) options.checkpoint_file = work.path(checkpoint_name);
-  options.keep_checkpoint = true;
-  options.to_be_sailed_on = work.options.keep_checkpoint && work.design.sail_to > 0.0;
-  options.checkpoint_every_s = work.options.checkpoint_every_s;
-  options.resume = work.options.resume;
-  options.on_resume = work.options.on_resume;
-  options.on_note = [&work](const std::string& words) {
-    work.notes.push_back(words);
-    if (work.options.on_note) work.options.on_note(words);
-  };
-  return options;
-}
-
-struct Simulated {
-  RunResult run;
-  IceMaterial ice;     // model scale
-  Json described;      // the ice, by simulated_ice_json()
-  std::string reason;  // why there is no run; empty where there is one
-};
-
-// A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
-// not.
-Simulated simulated(Work& work) {
-  Simulated done;
-  std::string error;
-  bool machine = false;
-  try {
-    const Scenario scenario = simulated_scenario(work.comm, work.given());
-    done.ice = scenario.ice;
-    done.described = simulated_ice_json(work.comm, work.given(), scenario);
-    done.run =
-        simulate(work.comm, scaled(work.hull.mesh, 1.0 / work.given().lambda), scenario, run_options(work));
-  } catch (const std::exception& e) {
-    error = *e.what() ? e.what() : "an exception without a message";
-    machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
-  }
-  if (!work.comm.any(!error.empty())) return done;
-  done.reason = work.comm.broadcast(error);
-  if (done.reason.empty()) done.reason = "the simulation failed on another rank than the first";
-  if (work.comm.any(machine)) throw RuntimeError(done.reason);
-  return done;
-}
-
-Json pictures_json(const RunResult& run) {
-  Json pictures = Json::array();
-  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
-    pictures.push_back({{"file", run.pictures[i]}, {"advance_m", run.picture_advance.at(i)}});
-  }
-  return pictures;
-}
-
-Ending sail(Work& work) {
-  const Simulated done = simulated(work);
-  if (!done.reason.empty()) return failed(done.reason);
-  const RunResult& run = done.run;
-  if (run.status == RunStatus::ok) {
-    work.result["metrics"] = metrics_json(run, work.given().lambda);
-    work.result["metrics"]["resolution_bias"] = resolution_bias_json(work.given());
-    work.result["process"] = process_json(run.process);
-  }
-  work.result["simulation"] = simulation_json(run, done.ice, work.given().lambda);
-  work.result["simulation"]["load"] = work.given().water.buoyancy_and_gravity ? "whole" : "breaking";
-  work.result["simulation"]["ice"] = done.described;
-  work.result["profile"] = profile_json(run);
-  work.result["files"]["pictures"] = pictures_json(run);
-  if (run.status == RunStatus::ok && run.pictures.size() > 1)
-    work.result["files"]["animation"] = "breaking.png";
-  if (work.writes()) act_on_root(work.comm, [&] { write_history(work, run.history); });
-  if (run.status == RunStatus::interrupted) return {EvaluationStatus::running, "interrupted"};
-  return run.status == RunStatus::failed ? failed(run.reason) : Ending{};
-}
-
 // What is at hand from a run before; else null. The same on every rank.
-Json kept(Work& work, const std::string& key) {
+Json kept(DesignWork& work, const std::string& key) {
   if (work.options.directory.empty() || work.options.resume == Resume::never) return nullptr;
   Json found;
   if (work.comm.is_root()) found = kept_scenario(work.options.directory, key);
@@ -334,7 +194,7 @@ Json kept(Work& work, const std::string& key) {
 }
 
 // A voyage that is over leaves its result in place of its checkpoint.
-void keep(Work& work, const std::string& key) {
+void keep(DesignWork& work, const std::string& key) {
   if (work.options.directory.empty()) return;
   act_on_root(work.comm, [&] {
     keep_scenario(work.options.directory, key, work.result);
@@ -342,21 +202,21 @@ void keep(Work& work, const std::string& key) {
   });
 }
 
-Ending run_scenario(Work& work) {
-  Ending ending = run_formulas(work);
+StepEnd run_scenario(DesignWork& work) {
+  StepEnd ending = run_formulas(work);
   if (ending.status != EvaluationStatus::ok) return ending;
   if (work.design.asked.peridynamics) return sail(work);
   const std::string no_voyage = text_at(work.result, result_key::cycle_reason);
-  return no_voyage.empty() ? Ending{} : failed(no_voyage);
+  return no_voyage.empty() ? StepEnd{} : failed(no_voyage);
 }
 
 // One condition after the other, and their loads as one.
-Ending run_scenarios(Work& work) {
+StepEnd run_scenarios(DesignWork& work) {
   const Case& design = *work.design.given;
   if (design.scenarios.empty()) return run_formulas(work);
   const Json before = work.result;
   std::vector<ScenarioResult> results;
-  Ending ending;
+  StepEnd ending;
   for (const CaseScenario& scenario : design.scenarios) {
     work.condition = scenario.given.get();
     work.draws = results.empty();
@@ -381,28 +241,28 @@ Ending run_scenarios(Work& work) {
 }
 
 // Of a design with scenarios each has been sailed.
-Ending run_simulation(Work& work) {
-  return work.design.asked.peridynamics && work.design.given->scenarios.empty() ? sail(work) : Ending{};
+StepEnd run_simulation(DesignWork& work) {
+  return work.design.asked.peridynamics && work.design.given->scenarios.empty() ? sail(work) : StepEnd{};
 }
 
 // It ran to the end: it is ok where what it was run for is a number.
-Ending judge(Work& work) {
+StepEnd judge(DesignWork& work) {
   const Json& result = work.result;
   if (work.design.asked.peridynamics) {
     return std::isfinite(number_at(result, result_key::mean_load))
-               ? Ending{}
+               ? StepEnd{}
                : failed("the simulation ended with a mean load that is not a finite number");
   }
   if (work.design.asked.cycle) {
     const std::string reason = text_at(result, result_key::cycle_reason);
-    return reason.empty() ? Ending{} : failed(reason);
+    return reason.empty() ? StepEnd{} : failed(reason);
   }
   if (!work.design.asked.programs.empty()) return {};
   const Json& formula = result.at("lindqvist");
-  return formula.at("valid").get<bool>() ? Ending{} : failed(formula.at("reason").get<std::string>());
+  return formula.at("valid").get<bool>() ? StepEnd{} : failed(formula.at("reason").get<std::string>());
 }
 
-Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
+Evaluation concluded(const DesignWork& work, const StepEnd& ending, double seconds) {
   Evaluation e;
   e.name = work.design.name;
   e.parameters = work.design.parameters;
@@ -436,17 +296,6 @@ Evaluation concluded(const Work& work, const Ending& ending, double seconds) {
 
 }  // namespace
 
-double usual_checkpoint_interval() {
-  const char* given = std::getenv("ICEBOW_CHECKPOINT_SECONDS");
-  if (!given) return 300.0;
-  char* end = nullptr;
-  const double seconds = std::strtod(given, &end);
-  if (end == given || *end != '\0' || !(seconds >= 0.0 && seconds <= 1e9))
-    throw InputError("ICEBOW_CHECKPOINT_SECONDS=" + shortened(given, 40) +
-                     " in the environment: must be a number, allowed 0 to 1e9 s; 0 = only when interrupted");
-  return seconds;
-}
-
 void remove_checkpoint_in(const std::string& design_directory) {
   remove_kept_scenarios(design_directory);
   remove_checkpoint((std::filesystem::path(design_directory) / checkpoint_name).string());
@@ -454,9 +303,9 @@ void remove_checkpoint_in(const std::string& design_directory) {
 
 Evaluation evaluate(const Communicator& comm, const Design& design, const EvaluateOptions& options) {
   const auto begin = Clock::now();
-  Work work{comm, design, options, {{"files", Json::object()}}, {}, {}};
+  DesignWork work{comm, design, options, {{"files", Json::object()}}, {}, {}};
   if (work.writes()) act_on_root(comm, [&] { std::filesystem::create_directories(options.directory); });
-  Ending ending;
+  StepEnd ending;
   for (const auto step : {read, measure_hull, run_scenarios, look_for_stop, run_simulation, judge}) {
     ending = step(work);
     if (ending.status != EvaluationStatus::ok) break;

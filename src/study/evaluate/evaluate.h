@@ -1,36 +1,14 @@
 // One design: make the hull, return `infeasible` if it has a problem, else simulate, return its metrics.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "base/communicator.h"
-#include "solver/run/simulation.h"
+#include "study/evaluate/evaluate_options.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/evaluation_key.h"
 
 namespace icebow {
-
-// Wall time between two checkpoints [s]: 300, or what ICEBOW_CHECKPOINT_SECONDS of the environment says, as
-// jobs that are short or disks that are slow may want it. Throws InputError where that is no number from 0
-// on.
-double usual_checkpoint_interval();
-
-struct EvaluateOptions {
-  std::string directory;  // of this design's files; made where missing; empty = no files
-  std::function<void(const Progress&)> on_progress;
-  std::function<bool()> stop, checkpoint_now;  // see RunOptions
-  // The simulation's checkpoint in that directory: see RunOptions.
-  double checkpoint_every_s = usual_checkpoint_interval();
-  Resume resume = Resume::if_usable;
-  // At the end too: the caller removes it once the result is safe. Of a voyage that may be sailed on it is
-  // the state of its end.
-  bool keep_checkpoint = false;
-  std::function<void(std::int64_t step)> on_resume;
-  std::function<void(const std::string& words)> on_note;  // on the root: a checkpoint was set aside ...
-};
-
-constexpr const char* checkpoint_name = "checkpoint.h5";
 
 // Collective; all ranks return the same. Never throws for what a design can do wrong: that is a status. An
 // interrupted run returns status `running` and must not be stored as finished; the same call goes on with it.

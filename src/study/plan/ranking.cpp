@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "solver/model/statistics.h"
 #include "study/evaluate/result_keys.h"
 #include "study/plan/repeats.h"
 #include "study/spec/spec_ranking.h"
@@ -300,20 +300,6 @@ void correct(Ranking& ranking) {
   }
 }
 
-// Ranks from 1, equal values sharing the average of theirs.
-std::vector<double> average_ranks(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
-  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
-    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
-    const double average = 0.5 * static_cast<double>(i + 1 + end);
-    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = average;
-  }
-  return ranks;
-}
-
 Json confirmed_json(const RatioFit& fit) {
   if (fit.designs == 0) return nullptr;
   return {{"designs", fit.designs},
@@ -374,18 +360,6 @@ std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evalu
   for (const RankedDesign& row : ranking.rows)
     if (row.rank > 0 && std::isfinite(row.cycle_load)) ranked.push_back(fidelities(row));
   return designs_to_confirm(ranked, spec.confirm.best, spec.confirm.spread);
-}
-
-double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y) {
-  const std::vector<double> a = average_ranks(x), b = average_ranks(y);
-  const double mean = 0.5 * static_cast<double>(a.size() + 1);
-  double ab = 0.0, aa = 0.0, bb = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += (a[i] - mean) * (b[i] - mean);
-    aa += (a[i] - mean) * (a[i] - mean);
-    bb += (b[i] - mean) * (b[i] - mean);
-  }
-  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : nan_value;
 }
 
 Json to_json(const Ranking& ranking) {

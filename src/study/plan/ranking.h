@@ -89,10 +89,6 @@ std::string front_in_words(const Ranking& ranking);
 std::vector<std::string> designs_to_confirm(const std::vector<Evaluation>& evaluations,
                                             const StudySpec& spec);
 
-// Spearman's rank correlation: Pearson's of the ranks, equal values sharing the average of their ranks
-// (Kendall and Gibbons 1990). NaN for fewer than two pairs or where one series is constant.
-double spearman_correlation(const std::vector<double>& x, const std::vector<double>& y);
-
 // The design that leads its race, else the first of those ranked; none where none is ranked. The leader's
 // mean may be above that of a design that an earlier leg has put out.
 const RankedDesign* best_of(const Ranking& ranking);

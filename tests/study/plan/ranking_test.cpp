@@ -126,12 +126,3 @@ TEST_CASE("a result of an infeasible design is not taken for a load") {
   const Ranking r = rank_designs({e, design("ok", 5, 1, 1)}, "mean_load");
   CHECK(names(r) == "ok1 infeasible0 ");
 }
-
-TEST_CASE("Spearman's correlation with shared ranks") {
-  CHECK(spearman_correlation({1, 2, 3}, {10, 100, 1000}) == Approx(1.0));
-  CHECK(spearman_correlation({1, 2, 3}, {3, 2, 1}) == Approx(-1.0));
-  // Ranks 1, 2.5, 2.5, 4 and 1, 2, 3, 4: sum of products 4.5, of squares 4.5 and 5: 4.5/sqrt(22.5)
-  CHECK(spearman_correlation({1, 2, 2, 3}, {1, 2, 3, 4}) == Approx(4.5 / std::sqrt(22.5)));
-  CHECK(std::isnan(spearman_correlation({1, 1, 1}, {1, 2, 3})));
-  CHECK(std::isnan(spearman_correlation({}, {})));
-}
