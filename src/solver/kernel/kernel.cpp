@@ -104,7 +104,26 @@ LawFits<Real, degree> fits(double lower, double upper) {
   return law;
 }
 
+}  // namespace
+
+namespace {
+
 constexpr double never = 1e6;  // no bond is stretched so far
+
+// Taylor series at e = 0 over its first term, of G, R and H.
+template <class Real, int degree>
+LawFits<Real, degree> calm_series() {
+  constexpr double G[3] = {1.0, -1.0 / 4.0, 1.0 / 8.0}, R[3] = {1.0, -1.0 / 2.0, 3.0 / 8.0},
+                   H[3] = {1.0, -3.0 / 4.0, 5.0 / 8.0};
+  static_assert(degree < 3);
+  LawFits<Real, degree> law;
+  for (int p = 0; p <= degree; ++p) {
+    law.G[p] = static_cast<Real>(G[p]);
+    law.R[p] = static_cast<Real>(R[p]);
+    law.H[p] = static_cast<Real>(H[p]);
+  }
+  return law;
+}
 
 }  // namespace
 
@@ -128,7 +147,7 @@ BondLaw<Real> make_bond_law(const Material& m) {
   law.e_min = static_cast<Real>(shortest);
   law.e_max = static_cast<Real>(e_max);
   law.e_small = static_cast<Real>(bent_strain);
-  law.calm = fits<Real, Degrees::calm>(-calm_strain, calm_strain);
+  law.calm = calm_series<Real, Degrees::calm>();
   law.e_calm = static_cast<Real>(calm_strain);
   return law;
 }

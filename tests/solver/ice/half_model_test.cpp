@@ -148,7 +148,7 @@ TEST_CASE(
   const RunResult part = simulate(Communicator::serial(), hull, half(s), {});
   REQUIRE(whole.history.rows.size() > 90);
   REQUIRE(part.history.rows.size() == whole.history.rows.size());
-  // In fp64 a calm block's law is good to 2e-9.
+  // In fp64 a calm block's series is good to 1e-9.
   for (std::size_t n = 0; n < whole.history.rows.size(); ++n)
     check_alike(part.history.rows[n], whole.history.rows[n], 1e-8);
   CHECK(whole.history.rows.back().broken_bonds > 0);

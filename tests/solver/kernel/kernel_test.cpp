@@ -55,11 +55,11 @@ TEST_CASE("the fitted bond law is the exact one") {
     const auto fp32 = make_bond_law<float>(stretch_material(s0));
     check_fits(fp32.wide, fp32.e_min, fp32.e_max, 2e-6);
     check_fits(fp32.small, -fp32.e_small, fp32.e_small, 2e-6);
-    check_fits(fp32.calm, -fp32.e_calm, fp32.e_calm, 2e-6);
+    check_fits(fp32.calm, -fp32.e_calm, fp32.e_calm, 1e-6);  // 5/8 e^2 is the next term of H
     const auto fp64 = make_bond_law<double>(stretch_material(s0));
     check_fits(fp64.wide, fp64.e_min, fp64.e_max, 2e-11);
     check_fits(fp64.small, -fp64.e_small, fp64.e_small, 2e-11);
-    check_fits(fp64.calm, -fp64.e_calm, fp64.e_calm, 2e-9);
+    check_fits(fp64.calm, -fp64.e_calm, fp64.e_calm, 1e-9);
   }
 }
 
@@ -273,7 +273,7 @@ void follow(IceBlock& b, BlockLaw law) {
 
 TEST_CASE("ice summed for all layers at once is what it is row by row under the longest law") {
   // Largest e some 2.7 times the size: where the way back from the longest law is not yet open, and at less.
-  const auto [law, back, size] = GENERATE(std::tuple(calm, bent, 6e-4), std::tuple(bent, wide, 3e-3));
+  const auto [law, back, size] = GENERATE(std::tuple(calm, bent, 3e-4), std::tuple(bent, wide, 3e-3));
   const Precision precision = GENERATE(Precision::fp32, Precision::fp64);
   const int layers = GENERATE(1, 2, 3, 4);
   Scenario s = block_scenario(50, 20, layers);
@@ -300,7 +300,7 @@ TEST_CASE("ice summed for all layers at once is what it is row by row under the 
     ++n;
   });
   INFO(layers << " layers, " << (precision == Precision::fp32 ? "fp32" : "fp64") << ", gradient " << size);
-  // The law to 2e-6 or 2e-9 of a bond; sums of 100 bonds, which cancel to a tenth, in the fields'
+  // The law to 2e-6 or 1e-9 of a bond; sums of 100 bonds, which cancel to a tenth, in the fields'
   // precision.
   const double tolerance = precision == Precision::fp32 ? 1e-4 : 1e-7;
   CHECK(theta_error < tolerance * 3 * size);
