@@ -31,47 +31,6 @@ def build():
                    cwd=common.ROOT, check=True)
 
 
-def seeds(directory, program):
-    """Small ones: files of the tests, and what the program writes of the tiny study."""
-    for name in FUZZERS:
-        (directory / name).mkdir(exist_ok=True)
-    for folder in ("good", "bad", "bad_beyond_schema"):
-        for file in sorted((common.ROOT / "tests/study/files" / folder).glob("*.json")):
-            (directory / "study" / f"{folder}_{file.name}").write_bytes(file.read_bytes())
-    solid = {b"\0": b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                    b"element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
-             b"\1": b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\ng bow\nf 1 2 3 4 5\nf 1/1 2/2 -1\n",
-             b"\2": b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-                    b"endfacet\nendsolid a\n"}
-    for kind, content in solid.items():
-        (directory / "mesh" / str(kind[0])).write_bytes(kind + content)
-    (directory / "files/csv").write_bytes(b"\0# a\nadvance_m,Fx_N\n0,1\n1,-2\n2,nan\n")
-    (directory / "files/svg").write_bytes(b"\1<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"lines-plan\"><g id=\"a\">"
-                                          b"<path d=\"M0 0L1 1\"/><text x=\"1\">t</text></g></svg>")
-    (directory / "files/obj").write_bytes(b"\2" + solid[b"\1"])
-    (directory / "files/list").write_bytes(b"\3" + bytes(96))
-    for kind, content in (
-            (0, '{"key": "k", "name": "d001", "status": "ok", "reason": "", "parameters": [["/bow/stem_deg", 20]], '
-                '"result": {"metrics": {}}, "wall_seconds": null}'),
-            (2, '{"state": "decided", "best_within": 0.1, "confidence": 0.95, "budget_core_h": 1, "legs": [{"sailed_to_m": '
-                '{"a": 20, "b": 10}, "in": ["a"], "leader": "a", "most_above_best": null, "core_hours": 0.1}], '
-                '"keys": {"a": "k", "b": "l"}, "targets_m": {"k": 20}}'),
-            (3, '{"step": 3, "steps": 10, "advance_m": 0.5, "load_N": -1e3}'), (3, '{"machine_trouble": "a disk"}'),
-            (4, 'name;/bow/stem_deg;"/operation/speed_kn"\n"a; b";20;3\n\nc;21.5;4\n')):
-        (directory / f"records/{kind}_{len(content)}").write_bytes(bytes([kind]) + content.encode())
-    if os.access(program, os.X_OK):
-        with common.Place(program) as place:
-            path = place.write("s.json", common.study(evaluators=["lindqvist"], ranking={"by": "lindqvist_breaking"}))
-            place.run("run", path, "--out", place.path / "o")
-            (directory / "store/one").write_bytes((place.path / "o/results.sqlite").read_bytes())
-            place.run("simulate", place.write("t.json", common.study(designs=[])), "--out", place.path / "r")
-            (directory / "result/one").write_bytes((place.path / "r/result.json").read_bytes())
-            (directory / "files/history").write_bytes(b"\0" + (place.path / "r/history.csv").read_bytes()[:3000])
-            (directory / "files/lines").write_bytes(b"\1" + (place.path / "r/lines.svg").read_bytes())
-    if not any((directory / "result").iterdir()):
-        (directory / "result/one").write_text(json.dumps({"metrics": {"full_scale": {"mean_load_N": 1}}}))
-
-
 def fuzz(name, directory, runs, seconds, seed):
     limit, begin = [f"-max_total_time={seconds}"] if seconds else [], time.time()
     result = subprocess.run([str(BUILD / f"fuzz_{name}"), f"-runs={runs}", *limit, f"-seed={seed}", f"-timeout={HANG}",

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <regex>
 
 #include "base/units.h"
 #include "geometry/quad_mesh.h"
@@ -17,25 +16,12 @@
 #include "hullgen/hydro/hydrostatics.h"
 #include "hullgen/import/hull_measurement.h"
 #include "hullgen/mesh/mesh_check.h"
+#include "tests/support/margins.h"
 #include "tests/support/paper_bows.h"
 
 using namespace icebow;
 
 namespace {
-
-Margin margin(const BowParameters& bow, const std::string& name) {
-  for (const Margin& g : check_feasibility(bow).margins)
-    if (g.name == name) return g;
-  return {};
-}
-
-// The number after these words and "at least" or "at most".
-double advised(const std::string& words, const std::string& after) {
-  std::smatch found;
-  const std::regex pattern(after + " at (?:least|most) ([0-9.]+)");
-  return std::regex_search(words, found, pattern) ? std::stod(found[1])
-                                                  : std::numeric_limits<double>::quiet_NaN();
-}
 
 BowParameters fine(BowFamily family) {
   BowParameters bow = preset_bow(family);

@@ -1,34 +1,15 @@
 // Margins and advice for reamers, chines, side edges and for angles given at B/4.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
-#include <regex>
 
 #include "base/units.h"
 #include "hullgen/bow/bow_angles.h"
 #include "hullgen/bow/family.h"
 #include "hullgen/bow/feasibility.h"
 #include "hullgen/bow/make_hull.h"
+#include "tests/support/margins.h"
 
 using namespace icebow;
-
-namespace {
-
-Margin margin(const BowParameters& bow, const std::string& name) {
-  for (const Margin& g : check_feasibility(bow).margins)
-    if (g.name == name) return g;
-  return {};
-}
-
-// The number after these words and "at least" or "at most".
-double advised(const std::string& words, const std::string& after) {
-  std::smatch found;
-  const std::regex pattern(after + " at (?:least|most) ([0-9.]+)");
-  return std::regex_search(words, found, pattern) ? std::stod(found[1])
-                                                  : std::numeric_limits<double>::quiet_NaN();
-}
-
-}  // namespace
 
 TEST_CASE("a reamer step too small for the panels, or too large for the ship, says what would do") {
   BowParameters bow = preset_bow(BowFamily::spoon_reamers);
