@@ -6,8 +6,8 @@
 // Goes on from a stored state of the design for N steps (400) and prints the fastest forty of them, one after
 // the other. The state is the run after an advance of M metres at full scale (36: a moving window has filled
 // by then). It is made where it is not there, which takes minutes, and kept beside this program; --state
-// names another file. A state is a checkpoint (solver/run/checkpoint.h): any other of the same design serves
-// as well.
+// names another file. A state is a checkpoint (solver/run/checkpoint.h) that this program has made: it is
+// made again where it is of another case, of another time step for one.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/communicator.h"
@@ -23,6 +24,7 @@
 #include "bench/block_states.h"
 #include "bench/machine.h"
 #include "solver/contact/floe_contact.h"
+#include "solver/run/case_text.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
@@ -110,15 +112,22 @@ struct Run {
   ProcessWatch process;
 };
 
+// A state of this very case: one of another time step would put the ship elsewhere.
 void reach_state(Run& run, const Options& o) {
   RunState state = run.state();
-  const bool there = run.comm.any(run.comm.is_root() && std::filesystem::exists(o.state));
-  if (there) return load_checkpoint(run.comm, o.state, state);
+  const std::string text = case_text(run.hull, run.s, run.options);
+  if (run.comm.any(run.comm.is_root() && std::filesystem::exists(o.state))) {
+    const int bytes = run.s.numerics.precision == Precision::fp64 ? 8 : 4;
+    const std::string reason =
+        why_not_resumable(run.comm, o.state, text, bytes, std::numeric_limits<std::int64_t>::max());
+    if (reason.empty()) return load_checkpoint(run.comm, o.state, state);
+    if (run.comm.is_root()) std::cerr << o.state << ' ' << reason << '\n';
+  }
   if (run.comm.is_root()) std::cerr << "making " << o.state << " ...\n";
   while (run.s.V * run.stepper.time() * run.lambda < o.advance ||
          run.stepper.steps() % run.recorder.steps_per_sample() != 0)
     run.stepper.step();
-  save_checkpoint(run.comm, o.state, "bench/icebreaking", state);
+  save_checkpoint(run.comm, o.state, text, state);
 }
 
 struct Timing {

@@ -6,6 +6,9 @@
 namespace icebow {
 namespace {
 
+// Distances that points may move by are this part of what was found.
+constexpr double rounding = 1.0 - 1e-5;
+
 // Both searches end here, so that they agree to the last bit.
 ClosestPoint oriented(const TriangleSurface& surface, int triangle, const TrianglePoint& at, const Vec3& p) {
   ClosestPoint result;
@@ -38,35 +41,41 @@ HullDistance::HullDistance(const QuadMesh& mesh, const Box& region)
       tree_(surface_),
       cells_(make_hull_cells(surface_, tree_, common(bounding_box(mesh), region))) {}
 
-ClosestPoint HullDistance::closest(const Vec3& p) const {
+NearestTriangle HullDistance::nearest(const Vec3& p) const {
   const Eigen::Vector3f f = p.cast<float>();
-  const NearestTriangle nearest = cells_.closest(tree_, cells_.kind_at(f.x(), f.y(), f.z()), p);
-  return oriented(surface_, nearest.triangle, nearest.at, p);
+  return cells_.closest(tree_, cells_.kind_at(f.x(), f.y(), f.z()), p);
 }
 
-// A slot near a point, or -1.
-int HullDistance::seed(const Vec3& p) const {
-  const Eigen::Vector3f f = p.cast<float>();
-  const std::int32_t kind = cells_.kind_at(f.x(), f.y(), f.z());
-  if (kind < 0) return ~kind;
-  if (kind == 0 || cells_.surface[kind - 1].count == 0) return -1;
-  return cells_.candidates[cells_.surface[kind - 1].first].slot;
+ClosestPoint HullDistance::closest(const Vec3& p) const {
+  const NearestTriangle found = nearest(p);
+  return oriented(surface_, found.triangle, found.at, p);
+}
+
+float HullDistance::clearance(const Vec3& p, const Outlook& outlook) const {
+  if (outlook.clearance > 0.0F) return outlook.clearance;
+  return static_cast<float>(std::max(0.0, rounding * closest(p).signed_distance));
 }
 
 // A point that moves by w is nearer to one triangle by w at most, and further from another by w at most.
+void HullDistance::keep(const Vec3& p, double distance, Known& known) const {
+  constexpr double of_a_cell = 0.1;  // a longer way needs more triangles
+  const double way = of_a_cell * cells_.grid.size;
+  std::vector<TriangleTree::Near> near;
+  tree_.within(p, distance + 2.0 * way, near);
+  known.rest = static_cast<float>(rounding * way);
+  known.count = near.size() <= Known::most ? static_cast<std::int32_t>(near.size()) : 0;
+  for (int n = 0; n < known.count; ++n) known.slot[n] = near[n].slot;
+}
+
 ClosestPoint HullDistance::closest(const Vec3& p, Known& known) const {
-  constexpr double rounding = 1.0 - 1e-5;
-  if (known.rest <= 0.0F) {
-    double second = 0.0;
-    const NearestTriangle nearest = tree_.closest_two(p, seed(p), second);
-    const double gap = 0.5 * rounding * (std::sqrt(second) - std::sqrt(nearest.at.squared_distance));
-    const float cell = cells_.grid.size;
-    // On an edge both of its triangles are as near.
-    known = gap > 0.01 * cell ? Known{nearest.slot, static_cast<float>(gap)} : Known{-1, 0.1F * cell};
-    return oriented(surface_, nearest.triangle, nearest.at, p);
+  NearestTriangle best = TriangleTree::no_triangle();
+  if (known.rest > 0.0F && known.count > 0) {
+    for (int n = 0; n < known.count; ++n) tree_.improve(known.slot[n], p, best);
+  } else {
+    best = nearest(p);
+    if (!(known.rest > 0.0F)) keep(p, std::sqrt(best.at.squared_distance), known);
   }
-  if (known.slot < 0) return closest(p);
-  return oriented(surface_, tree_.triangle(known.slot), tree_.closest_of(known.slot, p), p);
+  return oriented(surface_, best.triangle, best.at, p);
 }
 
 }  // namespace icebow

@@ -10,6 +10,7 @@
 // a tree of boxes for the few points far from the surface (triangle_tree.h).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -49,25 +50,37 @@ class HullDistance {
     return {cells_.may_be_inside(cells_.kind[cell], f.x(), f.y(), f.z()),
             cells_.clearance(cell, f.x(), f.y(), f.z())};
   }
+  // As `clearance` of a point that is not inside, and where that is 0 the distance from the hull: a search,
+  // which a point that moves slowly pays back many times.
+  float clearance(const Vec3& p, const Outlook& outlook) const;
   // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast near and inside the
   // hull.
   ClosestPoint closest(const Vec3& p) const;
 
-  // What a search for a point that moves has found: the nearest triangle's slot, and how far the point may
-  // move until another may be nearer [m]. No slot: how far until that is worth looking for.
+  // What a search for a point that moves has found: the triangles of which one is the nearest as long as the
+  // point has not moved by more than `rest` [m]. None: too many to be kept.
   struct Known {
-    int slot = -1;
+    static constexpr int most = 6;  // as many meet at a corner of the mesh
+    std::array<std::int32_t, most> slot;
+    std::int32_t count = 0;
     float rest = 0.0F;
   };
-  // The same to the bit. Callers subtract from `rest` what the point has moved since the last call.
+  // The same to the bit; near the hull outlook() says nothing that it does not. Callers subtract from `rest`
+  // what the point has moved since the last call.
   ClosestPoint closest(const Vec3& p, Known& known) const;
+  // Whether contact is looked for here at all.
+  bool in_region(const Vec3& p) const {
+    const Eigen::Vector3f f = p.cast<float>();
+    return cells_.grid.cell(f.x(), f.y(), f.z()) != 0;
+  }
 
   const TriangleSurface& surface() const { return surface_; }
   const CellGrid& grid() const { return cells_.grid; }
   std::size_t bytes() const { return surface_.bytes() + tree_.bytes() + cells_.bytes(); }
 
  private:
-  int seed(const Vec3& p) const;
+  NearestTriangle nearest(const Vec3& p) const;
+  void keep(const Vec3& p, double distance, Known& known) const;
 
   TriangleSurface surface_;
   TriangleTree tree_;

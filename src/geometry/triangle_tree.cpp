@@ -125,22 +125,6 @@ NearestTriangle TriangleTree::closest(const Vec3& p, int seed_slot) const {
   return best;
 }
 
-NearestTriangle TriangleTree::closest_two(const Vec3& p, int seed_slot, double& second) const {
-  NearestTriangle best = no_triangle();
-  second = best.at.squared_distance;
-  const auto look = [&](int slot) {
-    if (slot == best.slot) return;
-    const double before = best.at.squared_distance;
-    const int beaten = best.slot;
-    improve(slot, p, best);
-    second = std::min(second, best.slot == beaten ? closest_of(slot, p).squared_distance : before);
-  };
-  if (seed_slot >= 0) look(seed_slot);
-  search(
-      p, [&] { return second; }, look);
-  return best;
-}
-
 void TriangleTree::within(const Vec3& p, double radius, std::vector<Near>& found) const {
   found.clear();
   search(

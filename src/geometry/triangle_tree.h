@@ -21,12 +21,6 @@ class TriangleTree {
 
   // Exact whatever the seed, the faster the nearer that triangle is to p. slot = -1: no seed.
   NearestTriangle closest(const Vec3& p, int seed_slot = -1) const;
-  // Likewise, and the squared distance of the nearest other triangle (infinite where there is none).
-  NearestTriangle closest_two(const Vec3& p, int seed_slot, double& second) const;
-  // The point of a slot's triangle that is nearest to p.
-  TrianglePoint closest_of(int slot, const Vec3& p) const {
-    return closest_on_triangle(leaves_[slot].corners, p);
-  }
   // Lets the triangle of one slot compete. `best` may come from an earlier search for the same p, or be
   // no_triangle().
   void improve(int slot, const Vec3& p, NearestTriangle& best) const;

@@ -114,7 +114,8 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
   const Layout& layout = sheet.layout;
   if (blocks_.empty()) {
     blocks_.assign(std::size_t(layout.columns) * layout.nz * layout.blocks, Watch{});
-    particles_.assign(blocks_.size() * block, {far, 0.0F});
+    rest_.assign(blocks_.size() * block, 0.0F);
+    near_.assign(rest_.size(), {});
   }
   const Pass pass{sheet, hull_x, impulse, ledger};
   int contacts = 0;
@@ -148,32 +149,37 @@ int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
                     row = layout.row(jl, k) + std::size_t(b) * block;
   const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
   Watch& watch = blocks_[number];
-  HullDistance::Known* const known = &particles_[number * block];
   const float moved = std::exchange(watch.moved, 0.0F);
   watch.least = ever;
   int contacts = 0;
   for (int l = 0; l < block; ++l) {
-    HullDistance::Known& particle = known[l];
-    particle.rest -= moved;
-    if (particle.slot == far && particle.rest > 0.0F) {
-      watch.least = std::min(watch.least, particle.rest);
+    float& rest = rest_[number * block + l];
+    rest -= moved;
+    if (rest > 0.0F) {
+      watch.least = std::min(watch.least, rest);
       continue;
     }
+    HullDistance::Known& known = near_[number * block + l];
+    known.rest -= moved;
     const std::size_t p = row + l;
     if (!sheet.mobile(jl, b * block + l) || settings_.crushing.used_up(sheet.crushed_depth[p])) {
-      particle = {far, ever};
+      rest = ever;
+      known = {};
       continue;
     }
     const double x = sheet.lattice.x(layout.i0 + b * block + l);
     const Vec3 position(x + sheet.u[0][p] - pass.hull_x, y + sheet.u[1][p], z + sheet.u[2][p]);
-    const HullDistance::Outlook outlook = distance_.outlook(position);
-    watch.least = std::min(watch.least, outlook.clearance);
-    if (!outlook.may_be_inside) {
-      particle = {far, outlook.clearance};
-      continue;
+    if (!(known.rest > 0.0F && distance_.in_region(position))) {
+      const HullDistance::Outlook outlook = distance_.outlook(position);
+      if (!outlook.may_be_inside) {
+        rest = distance_.clearance(position, outlook);
+        known = {};
+        watch.least = std::min(watch.least, rest);
+        continue;
+      }
     }
-    if (particle.slot == far) particle = {};
-    contacts += touch(pass, p, position, z, particle);
+    rest = watch.least = 0.0F;
+    contacts += touch(pass, p, position, z, known);
   }
   return contacts;
 }

@@ -100,10 +100,10 @@ class HullContact {
   HullDistance distance_;
   ContactSettings settings_;
   std::vector<Watch> blocks_;  // [column][layer][block]
-  // Of each of their particles: `far`, and how far it may move until it may be inside [m]; or what the search
-  // for the nearest triangle has found.
-  static constexpr int far = -2;
-  std::vector<HullDistance::Known> particles_;
+  // Of each of their particles: how far it may move until it may be inside [m], or of one that may be (0)
+  // what the search for the nearest triangle has found.
+  std::vector<float> rest_;
+  std::vector<HullDistance::Known> near_;
 };
 
 }  // namespace icebow

@@ -193,7 +193,7 @@ bool is_near_breaking(const Column<Real>& c, int b, typename Simd<Real>::V both)
   const Real limit = Real(0.999) * 2 / c.law.stress_per_stretch,
              theta_as_strain = 2 * c.law.stress_per_theta / c.law.stress_per_stretch;
   const typename S::V strain = S::load(c.fields.strain + std::ptrdiff_t(b) * block);
-  if (theta_as_strain >= 0 && !S::any(strain + theta_as_strain * S::largest(both) > limit)) return false;
+  if (theta_as_strain >= 0 && !S::any(strain + theta_as_strain * both > limit)) return false;
   for (int k = 0; k < c.nz; ++k)
     if (S::any(family_stress(c.rows[k], c.tables[k], c.law, b) > limit)) return true;
   return false;

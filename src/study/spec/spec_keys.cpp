@@ -104,7 +104,7 @@ const std::vector<Key> table = {
   {"solver", "layers", Quantity::integer, 1, 50, false, 3, "3", "particles through the thickness; instead of spacing", {}},
   {"solver", "horizon_ratio", Quantity::number, 1.5, 3.9, false, 3, "3", "horizon / spacing", {}},
   {"solver", "time_step", Quantity::time, 1e-8, 1, false, none, "time_step_fraction of the limit", "time step; instead of time_step_fraction", {}},
-  {"solver", "time_step_fraction", Quantity::number, 0.01, 1, false, 0.8, "0.8", "time step as a fraction of the stability limit; instead of time_step", {}},
+  {"solver", "time_step_fraction", Quantity::number, 0.01, 1, false, 0.95, "0.95", "time step as a fraction of the stability limit; instead of time_step", {}},
   {"solver", "surface_correction", Quantity::boolean, 0, 0, false, 1, "true", "correct the stiffness of particles near a surface", {}},
   {"solver", "linear_below", Quantity::number, 0, 0.01, false, 1e-3, "0.001", "ice whose displacement gradient is below this follows the linearised bond law, at a fraction of the cost; 0 = nowhere", {}},
   {"solver", "precision", Quantity::choice, 0, 0, false, none, "fp32", "floating point of displacements and velocities; sums over the sheet are exact in both", {"fp32", "fp64"}},
