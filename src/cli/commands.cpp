@@ -36,12 +36,13 @@ const std::vector<Command>& commands() {
        "STUDY",
        "read a study file, list every mistake or what it will do",
        "Lists each mistake with its JSON pointer. Exits with 2 where the file has a mistake, and with 3 "
-       "where "
-       "no design is feasible. Nothing is written.",
+       "where no design is feasible, or not the one of --design. Nothing is written.",
        "icebow check studies/quickstart.json --set /ice/thickness_m=0.8",
        {set,
+        design,
         {"--cost", "",
-         "minutes, core hours and disk of the study: evaluates the file's own design for some seconds"}},
+         "minutes, core hours and disk of the study, or of the design: evaluates the file's own design, or "
+         "that one, for some seconds"}},
        false,
        run_check},
       {"hull",
@@ -153,6 +154,8 @@ const std::vector<Command>& commands() {
        "icebow run studies/cycle_sweep.json --out out/sweep",
        {set,
         {"--out", "DIR", "directory of the study", true},
+        {"--design", "NAME-or-K",
+         "this design alone, as the baseline of a study of its own: by all evaluators, in all scenarios"},
         {"--jobs", "N", "designs at once; default: as the study says"},
         {"--retry-failed", "", "evaluate failed designs again, whatever the cause"},
         json},
@@ -199,7 +202,8 @@ const std::vector<Command>& commands() {
       {"export",
        "DIR",
        "all designs of a study with all their numbers, as CSV or JSON",
-       "CSV has a column for each parameter and for each number of a result, JSON the whole results.",
+       "CSV has a column for each parameter, each choice of words and each number of a result, JSON the "
+       "whole results.",
        "icebow export out/sweep --csv > sweep.csv",
        {{"--csv", "", "print CSV, which is the default"}, json},
        false,

@@ -128,7 +128,8 @@ std::vector<ScenarioLoad> scenario_loads(const Json& result) {
     if (!std::isfinite(load.mean))
       load.mean = number_at(one, result_key::cycle_load),
       load.ci95 = number_at(one, result_key::cycle_load_ci95);
-    if (!std::isfinite(load.mean)) load.mean = number_at(one, result_key::lindqvist_total);
+    if (!std::isfinite(load.mean))
+      load.mean = number_at(one, result_key::lindqvist_breaking);  // what is ranked
     loads.push_back(load);
   }
   return loads;

@@ -47,6 +47,7 @@ Json study_diff(const std::string& first, const std::string& second) {
   const Store a = open_store_of(first), b = open_store_of(second);
   const Ranking ranked_a = stored_ranking(a), ranked_b = stored_ranking(b);
   const Rows rows_a = rows_of(ranked_a), rows_b = rows_of(ranked_b);
+  const bool one_number = ranked_a.rank_by == ranked_b.rank_by;
   Json diff = {{"study", asked_differently(document_of(a), document_of(b))},
                {"rank_by", {ranked_a.rank_by, ranked_b.rank_by}},
                {"designs", Json::array()},
@@ -57,9 +58,10 @@ Json study_diff(const std::string& first, const std::string& second) {
     if (other == rows_b.end()) {
       diff["only_first"].push_back(row.evaluation.name);
     } else {
-      diff["designs"].push_back({{"first", side(row)},
-                                 {"second", side(other->second)},
-                                 {"ratio", finite_or_null(other->second.value / row.value)}});
+      diff["designs"].push_back(
+          {{"first", side(row)},
+           {"second", side(other->second)},
+           {"ratio", one_number ? finite_or_null(other->second.value / row.value) : Json(nullptr)}});
     }
   }
   for (const auto& [known_by, row] : rows_b)

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "base/json_fields.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
@@ -38,8 +39,18 @@ std::string cells(const Numbers& numbers, const std::set<std::string>& columns) 
   return line;
 }
 
+std::string words(const std::map<std::string, std::string>& choices, const std::set<std::string>& columns) {
+  std::string line;
+  for (const std::string& column : columns) {
+    const auto found = choices.find(column);
+    line += "," + (found == choices.end() ? std::string() : cell(found->second));
+  }
+  return line;
+}
+
 struct Line {
   std::string head;
+  std::map<std::string, std::string> choices;
   Numbers parameters, results;
 };
 
@@ -51,6 +62,9 @@ Line line_of(const Json& row) {
   if (row.contains("front")) line.head += "," + row.at("front").get<std::string>();
   for (const auto& [pointer, value] : row.at("parameters").items())
     if (value.is_number()) line.parameters[pointer] = value.get<double>();
+  const Json& choices = part_at(row.at("result"), result_key::choices);
+  if (choices.is_object())
+    for (const auto& [pointer, value] : choices.items()) line.choices[pointer] = value.get<std::string>();
   for (const auto& [part, value] : row.at("result").items())
     if (part != "parameters") collect(value, "/" + part, line.results);
   return line;
@@ -80,19 +94,22 @@ Json study_table(const std::string& directory) {
 
 std::string study_csv(const Json& table) {
   std::vector<Line> lines;
-  std::set<std::string> parameters, results;
+  std::set<std::string> choices, parameters, results;
   for (const Json& row : table) {
     lines.push_back(line_of(row));
+    for (const auto& [column, value] : lines.back().choices) choices.insert(column);
     for (const auto& [column, value] : lines.back().parameters) parameters.insert(column);
     for (const auto& [column, value] : lines.back().results) results.insert(column);
   }
   std::string csv = "design,status,reason,rank";
   if (!table.empty() && table[0].contains("front")) csv += ",front";
+  for (const std::string& column : choices) csv += "," + cell("choice:" + column);
   for (const std::string& column : parameters) csv += "," + cell(column);
   for (const std::string& column : results) csv += "," + cell("result:" + column);
   csv += "\r\n";
   for (const Line& line : lines)
-    csv += line.head + cells(line.parameters, parameters) + cells(line.results, results) + "\r\n";
+    csv += line.head + words(line.choices, choices) + cells(line.parameters, parameters) +
+           cells(line.results, results) + "\r\n";
   return csv;
 }
 

@@ -142,9 +142,13 @@ Evaluation IsolatedRunner::evaluated_here(const Design& design, const std::strin
 
 void IsolatedRunner::take_quick(std::vector<Evaluation>& ended) {
   for (auto quick = quick_.begin(); quick != quick_.end();) {
-    const bool over = quick->wait_for(milliseconds(0)) == std::future_status::ready;
-    if (over) ended.push_back(quick->get());
-    quick = over ? quick_.erase(quick) : quick + 1;
+    if (quick->wait_for(milliseconds(0)) != std::future_status::ready) {
+      ++quick;
+      continue;
+    }
+    std::future<Evaluation> over = std::move(*quick);  // where get() throws, none is left to be waited for
+    quick = quick_.erase(quick);
+    ended.push_back(over.get());
   }
 }
 

@@ -62,6 +62,18 @@ TEST_CASE("a crash costs the design that crashed, and says why") {
   CHECK(of(observer, "good").result.at("metrics").at("full_scale").at("mean_load_N") == fake_load(20, 22));
 }
 
+TEST_CASE("a fault of the machine in a design without a simulation ends the study with its sentence") {
+  const TemporaryDirectory directory;
+  RunSettings settings = isolated(directory / "s");
+  settings.evaluate = [](const Communicator&, const Design&, const EvaluateOptions&) -> Evaluation {
+    throw RuntimeError("the disk is full");
+  };
+  RecordingObserver observer;
+  const StudySpec spec = fake_study(R"({"evaluators": ["cycle"]})");
+  CHECK_THROWS_WITH(run_study(Communicator::serial(), spec, settings, observer),
+                    Catch::Contains("the disk is full"));
+}
+
 TEST_CASE("a hang ends with the time limit") {
   const TemporaryDirectory directory;
   StudySpec spec = fake_study(designs({"hang", "good"}));
