@@ -269,9 +269,14 @@ int run_show(const Communicator&, const Arguments& arguments) {
 }
 
 int run_export(const Communicator&, const Arguments& arguments) {
-  if (arguments.has("--json") && arguments.has("--csv"))
-    throw InputError("icebow export: --csv and --json are given; keep one of them");
+  if (arguments.has("--json") + arguments.has("--csv") + arguments.has("--hdf5") > 1)
+    throw InputError("icebow export: --csv, --json and --hdf5 are different files; keep one of them");
   const Json table = study_table(arguments.positional);
+  if (arguments.has("--hdf5")) {
+    write_study_hdf5(table, arguments.value("--hdf5"));
+    std::cout << arguments.value("--hdf5") << "\n";
+    return exit_code::ok;
+  }
   if (arguments.has("--json")) return print_json(table);
   std::cout << study_csv(table);
   return exit_code::ok;

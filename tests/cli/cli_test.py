@@ -501,6 +501,10 @@ class Stored(ProgramTest):
             if whole["status"] == "ok":
                 self.assertEqual(float(row["result:/lindqvist/total_N"]), whole["result"]["lindqvist"]["total_N"])
         self.assertIn("keep one", self.expect(2, "export", self.out, "--csv", "--json").stderr)
+        whole = self.directory / "whole.h5"
+        self.assertEqual(self.expect(0, "export", self.out, "--hdf5", whole).stdout, f"{whole}\n")
+        self.assertEqual(whole.read_bytes()[:4], b"\x89HDF")
+        self.assertIn("no/such.h5", self.expect(1, "export", self.out, "--hdf5", self.directory / "no/such.h5").stderr)
         choice = {"type": "grid", "variables": {"/bow/family": {"values": ["straight_parallel_buttocks", "concave"]}}}
         other = self.directory / "families"
         self.expect(0, "run", self.study, "--out", other, "--set", f"/method={json.dumps(choice)}")
