@@ -20,6 +20,7 @@
 
 #include "base/communicator.h"
 #include "base/errors.h"
+#include "base/json_words.h"
 #include "bench/block_states.h"
 #include "bench/machine.h"
 #include "solver/contact/floe_contact.h"
@@ -217,7 +218,7 @@ int main(int argc, char** argv) {
   try {
     run(comm, parse(argc, argv));
   } catch (const std::exception& error) {
-    if (comm.is_root()) std::cerr << "icebreaking: " << error.what() << "\n";
+    if (comm.is_root()) std::cerr << "icebreaking: " << in_words(error) << "\n";
     return 1;
   }
 }

@@ -4,8 +4,9 @@
 #include <set>
 
 #include "base/communicator.h"
+#include "base/csv_cell.h"
 #include "base/errors.h"
-#include "base/json_fields.h"
+#include "base/json_words.h"
 #include "base/parallel_file.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
@@ -26,13 +27,6 @@ void collect(const Json& part, const std::string& pointer, Numbers& numbers) {
   for (const auto& [key, value] : part.items()) collect(value, pointer + "/" + key, numbers);
 }
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 // One line's cells of some columns.
 std::string cells(const std::map<std::string, std::vector<double>>& columns, std::size_t k) {
   std::string line;
@@ -43,7 +37,7 @@ std::string cells(const std::map<std::string, std::vector<double>>& columns, std
 
 std::string cells(const std::map<std::string, std::vector<std::string>>& columns, std::size_t k) {
   std::string line;
-  for (const auto& [column, words] : columns) line += "," + cell(words[k]);
+  for (const auto& [column, words] : columns) line += "," + csv_cell(words[k]);
   return line;
 }
 
@@ -64,10 +58,8 @@ void add(StudyColumns& columns, std::size_t k, const Json& row, std::size_t desi
   for (const auto& [pointer, value] : row.at("parameters").items())
     if (value.is_number())
       list_of(columns.parameters, pointer, designs, double(NAN))[k] = value.get<double>();
-  const Json& choices = part_at(row.at("result"), result_key::choices);
-  if (choices.is_object())
-    for (const auto& [pointer, value] : choices.items())
-      list_of(columns.choices, pointer, designs, std::string())[k] = value.get<std::string>();
+  for (const auto& [pointer, word] : words_at(row.at("result"), result_key::choices))
+    list_of(columns.choices, pointer, designs, std::string())[k] = word;
   Numbers numbers;
   for (const auto& [part, value] : row.at("result").items())
     if (part != "parameters") collect(value, "/" + part, numbers);
@@ -126,12 +118,12 @@ std::string study_csv(const Json& table) {
   const StudyColumns columns = study_columns(table);
   const bool two = !table.empty() && table[0].contains("front");
   std::string csv = std::string("design,status,reason,rank") + (two ? ",front" : "");
-  for (const auto& [column, words] : columns.choices) csv += "," + cell("choice:" + column);
-  for (const auto& [column, numbers] : columns.parameters) csv += "," + cell(column);
-  for (const auto& [column, numbers] : columns.results) csv += "," + cell("result:" + column);
+  for (const auto& [column, words] : columns.choices) csv += "," + csv_cell("choice:" + column);
+  for (const auto& [column, numbers] : columns.parameters) csv += "," + csv_cell(column);
+  for (const auto& [column, numbers] : columns.results) csv += "," + csv_cell("result:" + column);
   csv += "\r\n";
   for (std::size_t k = 0; k < table.size(); ++k) {
-    for (const char* key : {"design", "status", "reason"}) csv += cell(columns.texts.at(key)[k]) + ",";
+    for (const char* key : {"design", "status", "reason"}) csv += csv_cell(columns.texts.at(key)[k]) + ",";
     csv += std::to_string(columns.ranks[k]) + (two ? "," + columns.texts.at("front")[k] : "") +
            cells(columns.choices, k) + cells(columns.parameters, k) + cells(columns.results, k) + "\r\n";
   }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "base/json_words.h"
 #include "base/stop_signal.h"
 #include "study/evaluate/progress_json.h"
 
@@ -81,7 +82,7 @@ int evaluate_design_child(const Communicator& comm, const std::vector<std::strin
     std::cerr << error.what() << std::endl;
     return machine_trouble_code;
   } catch (const std::exception& error) {
-    std::cerr << error.what() << std::endl;
+    std::cerr << in_words(error) << std::endl;
     return 1;
   }
 }

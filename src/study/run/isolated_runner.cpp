@@ -9,6 +9,7 @@
 
 #include "base/child_process.h"
 #include "base/errors.h"
+#include "base/json_words.h"
 #include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
 #include "study/run/failure.h"
@@ -293,7 +294,7 @@ Evaluation IsolatedRunner::result_of(const Job& job) const {
   try {
     e = evaluation_from_json(read_json_file(path));
   } catch (const std::exception& error) {
-    throw RuntimeError(path + " cannot be read: " + error.what() +
+    throw RuntimeError(path + " cannot be read: " + in_words(error) +
                        "; the same command evaluates the design again");
   }
   std::filesystem::remove(path);
