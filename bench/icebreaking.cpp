@@ -19,8 +19,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/communicator.h"
+#include "base/error_words.h"
 #include "base/errors.h"
-#include "base/json_words.h"
 #include "bench/block_states.h"
 #include "bench/machine.h"
 #include "solver/contact/floe_contact.h"

@@ -1,21 +1,12 @@
-// Words of JSON: its library's exceptions, and the text in an object.
+// The text in an object of JSON.
 #pragma once
 
-#include <exception>
 #include <map>
 #include <string>
 
 #include "base/json_fields.h"
 
 namespace icebow {
-
-// Without the mark in brackets before the words of the library: "[json.exception.out_of_range.403] key 'a'
-// not found" is "key 'a' not found".
-inline std::string in_words(const std::exception& error) {
-  const std::string what = error.what();
-  const std::size_t end = what.rfind("[json.exception.", 0) == 0 ? what.find("] ") : std::string::npos;
-  return end == std::string::npos ? what : what.substr(end + 2);
-}
 
 // The members that are text of the object at `pointer`; none where there is no object.
 inline std::map<std::string, std::string> words_at(const Json& json, const std::string& pointer) {

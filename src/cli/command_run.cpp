@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/stop_signal.h"
 #include "cli/commands.h"
@@ -43,7 +44,7 @@ int write_reports(const std::string& directory) {
     write_html_report(directory, (std::filesystem::path(directory) / "report.html").string());
     return exit_code::ok;
   } catch (const std::exception& error) {
-    std::cerr << "icebow run: no report: " << error.what() << "\n";
+    std::cerr << "icebow run: no report: " << in_words(error) << "\n";
     return exit_code::failure;
   }
 }

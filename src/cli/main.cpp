@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "base/error_words.h"
 #include "base/errors.h"
-#include "base/json_words.h"
 #include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/line/help_text.h"

@@ -10,9 +10,10 @@
 #include <limits>
 #include <vector>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/json.h"
-#include "base/json_words.h"
+#include "base/json_fields.h"
 #include "base/parallel_file.h"
 #include "base/printable.h"
 #include "base/text.h"

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "base/child_process.h"
+#include "base/error_words.h"
 #include "base/errors.h"
-#include "base/json_words.h"
 #include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
 #include "study/run/failure.h"

@@ -27,6 +27,10 @@ std::string what_to_do(int code) {
       return "; the file is damaged: put a copy of it in its place, or move it away and run the study's "
              "command "
              "again, which evaluates its designs anew";
+    case SQLITE_IOERR:
+      return "; the disk, or a limit on sizes of files (ulimit -f, a quota), does not allow it: see to that "
+             "and run the "
+             "same command again";
     case SQLITE_NOTADB:
       return "; this is not a result store of icebow";
     case SQLITE_READONLY:

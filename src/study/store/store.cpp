@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/error_words.h"
 #include "base/errors.h"
-#include "base/json_words.h"
 #include "base/printable.h"
 #include "base/sha256.h"
 #include "study/spec/design_name.h"
