@@ -20,7 +20,7 @@ import corpus
 BUILD = common.ROOT / "build/asan"
 FUZZERS = corpus.FUZZERS
 # Longer inputs are slower and reach no more: a small study, mesh, table, store in pages of 512 bytes, result.
-LONGEST = {"study": 4000, "mesh": 2000, "store": 16000, "result": 12000, "files": 4000, "records": 2000}
+LONGEST = {"study": 4000, "mesh": 2000, "store": 16000, "result": 7000, "files": 4000, "records": 2000}
 HANG = 120  # seconds by the clock: on a machine with ten programs a core an input of 10 ms has taken 14 s
 PLAIN = "-entropic=0"  # keeping count of rare features takes longer than most inputs
 FAST = {"ASAN_OPTIONS": "detect_leaks=0:malloc_context_size=1:quarantine_size_mb=16"}  # short stacks of allocations

@@ -31,7 +31,7 @@ class Combination {
   void replace_loads(Json& part, const std::string& pointer) const {
     if (!part.is_object()) return;
     for (const auto& item : part.items()) {
-      const std::string at = pointer + "/" + item.key();
+      const std::string at = (Json::json_pointer(pointer) / item.key()).to_string();
       if (item.value().is_object()) replace_loads(part[item.key()], at);
       if (ends_in(item.key(), "_N")) part[item.key()] = finite_or_null(load(item.key(), at));
     }
