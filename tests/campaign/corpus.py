@@ -55,7 +55,8 @@ def seeds(directory, program):
             small_stores(place.path / "o/results.sqlite", directory / "store")
             place.run("simulate", place.write("t.json", common.study(designs=[])), "--out", place.path / "r")
             (directory / "result/one").write_text(brief(json.loads((place.path / "r/result.json").read_text())))
-            for name, result in sqlite3.connect(place.path / "o/results.sqlite").execute("SELECT name, result FROM evaluations"):
+            rows = sqlite3.connect(place.path / "o/results.sqlite").execute("SELECT name, result FROM evaluations")
+            for name, result in rows:
                 (directory / "result" / name).write_text(brief(json.loads(result)))
             (directory / "files/history").write_bytes(b"\0" + (place.path / "r/history.csv").read_bytes()[:3000])
             (directory / "files/lines").write_bytes(b"\1" + (place.path / "r/lines.svg").read_bytes())

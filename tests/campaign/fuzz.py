@@ -20,7 +20,7 @@ import corpus
 BUILD = common.ROOT / "build/asan"
 FUZZERS = corpus.FUZZERS
 # Longer inputs are slower and reach no more: a small study, mesh, table, store in pages of 512 bytes, result.
-LONGEST = {"study": 4000, "mesh": 2000, "store": 16000, "result": 7000, "files": 4000, "records": 2000}
+LONGEST = {"study": 1500, "mesh": 400, "store": 11000, "result": 7000, "files": 3000, "records": 400}
 HANG = 120  # seconds by the clock: on a machine with ten programs a core an input of 10 ms has taken 14 s
 PLAIN = "-entropic=0"  # keeping count of rare features takes longer than most inputs
 FAST = {"ASAN_OPTIONS": "detect_leaks=0:malloc_context_size=1:quarantine_size_mb=16"}  # short stacks of allocations
@@ -36,6 +36,7 @@ def fuzz(name, directory, runs, seconds, seed):
     limit, begin = [f"-max_total_time={seconds}"] if seconds else [], time.time()
     result = subprocess.run([str(BUILD / f"fuzz_{name}"), f"-runs={runs}", *limit, f"-seed={seed}", f"-timeout={HANG}",
                              "-rss_limit_mb=2048", f"-max_len={LONGEST[name]}", "-print_final_stats=1", PLAIN,
+                             f"-report_slow_units={HANG // 2}",
                              f"-artifact_prefix={BUILD}/found_{name}_", str(directory)],
                             capture_output=True, text=True, errors="replace", env={**os.environ, **FAST})
     done = re.search(r"stat::number_of_executed_units:\s*(\d+)", result.stderr)
