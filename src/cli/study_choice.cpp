@@ -126,6 +126,10 @@ ChosenDesign choose_design(const Communicator& comm, const StudySpec& spec, cons
 }
 
 StudySpec study_of_one(const Communicator& comm, const StudySpec& spec, const Arguments& arguments) {
+  const std::string out = arguments.value("--out");
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.positional, out, none))
+    throw InputError("--out " + out + ": holds the study that the design is of; give another directory");
   Json document = choose_design(comm, spec, arguments).design.document;
   document["method"] = {{"type", "list"}};
   for (const char* key : {"designs", "include_baseline", "decide", "confirm"}) document.erase(key);

@@ -460,6 +460,7 @@ class Stored(ProgramTest):
             words = card["commands"]["again"].replace("--out again", f"--out {again}").split()[1:]
             alone = json.loads(self.expect(0, *words, "--json").stdout)["designs"]
             self.assertEqual(len(alone), 1)
+            self.assertIn("another directory", self.expect(2, "run", out, "--design", "d002", "--out", out).stderr)
             self.assertEqual(alone[0]["lindqvist_breaking_N"], card["result"]["lindqvist"]["breaking_N"])
             self.assertEqual(json.loads(self.expect(0, "show", again, "baseline", "--json").stdout)["value"], card["value"])
             finer = shlex.split(card["commands"]["finer"].replace("--out finer", f"--out {self.directory / 'finer'}"))
@@ -511,6 +512,11 @@ class Stored(ProgramTest):
         rows = list(csv.DictReader(io.StringIO(self.expect(0, "export", other).stdout)))
         self.assertEqual({row["design"]: row["choice:/bow/family"] for row in rows}["d002"], "concave")
         self.assertIn("/bow/family concave", self.expect(0, "show", other, "d002").stdout)
+        choice["variables"]["/bow/stem_deg"] = {"values": [23, 26]}
+        self.expect(0, "run", self.study, "--out", other, "--set", f"/method={json.dumps(choice)}")
+        same = json.loads(self.expect(0, "diff", other, other, "--json").stdout)["designs"]
+        self.assertEqual(len(same), 6)  # baseline, the named one, and four points, two of which share their numbers
+        self.assertTrue(all(d["first"] == d["second"] for d in same))
 
     def test_what_two_studies_have_in_common(self):
         other = self.directory / "other"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
 #include "study/spec/design_name.h"
@@ -27,12 +28,17 @@ Json asked_differently(const Json& first, const Json& second) {
 
 using Rows = std::map<std::string, RankedDesign>;
 
+// What a point of a method is known by: its numbers and its words.
+std::string point_of(const Evaluation& e) {
+  return Json{parameters_json(e.parameters), part_at(e.result, result_key::choices)}.dump();
+}
+
 // What a design is known by in both.
 Rows rows_of(const Ranking& ranking) {
   Rows rows;
   for (const RankedDesign& row : ranking.rows) {
     const Evaluation& e = row.evaluation;
-    rows[is_numbered_name(e.name) ? parameters_json(e.parameters).dump() : e.name] = row;
+    rows[is_numbered_name(e.name) ? point_of(e) : e.name] = row;
   }
   return rows;
 }

@@ -116,6 +116,19 @@ TEST_CASE("reading designs costs in proportion to their number, and a long wrong
         2.0);  // a hundredth of a second; over 30 s by tables of distances
 }
 
+TEST_CASE("an optimiser varies the ship alone") {
+  const auto optimise = [](const std::string& pointer) {
+    return with(R"({"evaluators": ["lindqvist"], "method": {"type": "optimise", "variables": {")" + pointer +
+                R"(": {"min": 0.9, "max": 2}}}})");
+  };
+  for (const char* pointer : {"/ice/thickness_m", "/operation/speed_kn"})
+    CHECK_THAT(only_mistake(optimise(pointer)).message,
+               Catch::Contains(pointer) && Catch::Contains("the ship alone"));
+  CHECK(mistakes_of(with(R"({"evaluators": ["lindqvist"], "method": {"type": "grid", "variables":
+    {"/ice/thickness_m": {"values": [0.5, 1]}}}})"))
+            .empty());
+}
+
 TEST_CASE("a race sails its first leg at the least") {
   const std::string race = R"({"sheet": {"window_ahead_m": 40}, "operation": {"advance_m": 60}, "decide": )";
   CHECK(only_mistake(with(race + R"({"longest_m": 59}})")).pointer == "/decide/longest_m");
