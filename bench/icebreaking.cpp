@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/communicator.h"
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "bench/block_states.h"
 #include "bench/machine.h"
@@ -226,7 +227,7 @@ int main(int argc, char** argv) {
   try {
     run(comm, parse(argc, argv));
   } catch (const std::exception& error) {
-    if (comm.is_root()) std::cerr << "icebreaking: " << error.what() << "\n";
+    if (comm.is_root()) std::cerr << "icebreaking: " << in_words(error) << "\n";
     return 1;
   }
 }

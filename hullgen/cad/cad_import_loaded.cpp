@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/errors.h"
+#include "base/file_kind.h"
 #include "base/guarded_work.h"
 #include "base/plugin.h"
 #include "hullgen/cad/cad_import.h"
@@ -75,7 +76,7 @@ QuadMesh unpacked(const std::string& bytes, std::vector<std::string>& notes) {
 
 // OpenCASCADE crashes on files with one word misspelt, and searches for ever in others.
 QuadMesh read_cad(const std::string& path, std::vector<std::string>& notes) {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": no such file");
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": " + why_no_file(path));
   static const auto read = reinterpret_cast<Read>(plugin_function("libicebow_cad.so", "icebow_read_cad"));
   const std::string ending = ending_of(path);
   const bool step = ending == ".step" || ending == ".stp";

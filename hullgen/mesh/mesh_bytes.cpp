@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/file_kind.h"
 #include "base/text.h"
 
 namespace icebow {
@@ -24,8 +25,7 @@ bool blank(int c) {
 
 MeshBytes::MeshBytes(const std::string& path, ImportProgress progress)
     : path_(path), buffer_(piece), progress_(std::move(progress)) {
-  if (fs::is_directory(path)) fail_file("is a directory, not a mesh");
-  if (!fs::is_regular_file(path)) fail_file("no such file");
+  if (!fs::is_regular_file(path)) fail_file(why_no_file(path));
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_) fail_file("cannot be opened: may it be read?");
   size_ = fs::file_size(path);

@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "geometry/triangles.h"
+#include "hullgen/mesh/mesh_edges.h"
 
 namespace icebow {
 namespace {
@@ -26,13 +27,17 @@ std::vector<int> corners(const QuadMesh& mesh, std::size_t quad) {
   return {q.begin(), q.begin() + (mesh.is_triangle(quad) ? 3 : 4)};
 }
 
-bool plausible(const QuadMesh& mesh) {
+// Why it cannot be looked at further; empty where it can.
+std::string implausible(const QuadMesh& mesh) {
+  if (mesh.quads.empty()) return "it has no panels";
   const int n = static_cast<int>(mesh.points.size());
   const bool indices = std::all_of(mesh.quads.begin(), mesh.quads.end(), [n](const auto& q) {
     return std::all_of(q.begin(), q.end(), [n](int corner) { return corner >= 0 && corner < n; });
   });
-  return indices && !mesh.quads.empty() &&
-         std::all_of(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return p.allFinite(); });
+  if (!indices) return "a panel has a corner beyond the last point";
+  const bool finite =
+      std::all_of(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return p.allFinite(); });
+  return finite ? "" : "a point has a coordinate that is no finite number";
 }
 
 std::vector<std::vector<int>> polygons(const QuadMesh& mesh) {
@@ -50,6 +55,14 @@ bool is_polygon_mesh(const std::vector<Polygon>& polygons) {
                        return std::adjacent_find(p.begin(), p.end()) == p.end();
                      }) &&
          PMP::is_polygon_soup_a_polygon_mesh(polygons);
+}
+
+// The facets as panels: a diagonal may run along another panel's edge.
+std::string flaw_of_facets(const QuadMesh& mesh, const std::vector<std::array<int, 3>>& facets) {
+  QuadMesh split;
+  split.points = mesh.points;
+  for (const auto& [a, b, c] : facets) split.quads.push_back({a, b, c, c});
+  return flaw_of_surface(split);
 }
 
 SurfaceMesh surface_mesh(const QuadMesh& mesh, const std::vector<std::array<int, 3>>& facets) {
@@ -105,7 +118,7 @@ Shape shape(const QuadMesh& mesh, std::size_t quad) {
 }  // namespace
 
 std::string MeshCheck::reason() const {
-  if (!valid_polygon_mesh) return "the mesh is not an oriented manifold surface";
+  if (!valid_polygon_mesh) return "the mesh is not an oriented manifold surface: " + flaw;
   if (!closed) return "the mesh is not closed";
   if (self_intersecting)
     return text("the mesh intersects itself: %d pairs of triangles cross, one at (%g, %g, %g) m",
@@ -117,7 +130,8 @@ std::string MeshCheck::reason() const {
 MeshCheck check_mesh(const QuadMesh& mesh) {
   MeshCheck check;
   check.points = static_cast<int>(mesh.points.size());
-  if (!plausible(mesh)) return check;
+  check.flaw = implausible(mesh);
+  if (!check.flaw.empty()) return check;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
     const Shape s = shape(mesh, q);
     check.max_warp = std::max(check.max_warp, s.warp);
@@ -130,7 +144,11 @@ MeshCheck check_mesh(const QuadMesh& mesh) {
 
   const std::vector<std::array<int, 3>> facets = triangles(mesh);
   check.valid_polygon_mesh = is_polygon_mesh(polygons(mesh)) && is_polygon_mesh(facets);
-  if (!check.valid_polygon_mesh) return check;
+  if (!check.valid_polygon_mesh) {
+    check.flaw = flaw_of_surface(mesh);
+    if (check.flaw.empty()) check.flaw = flaw_of_facets(mesh, facets);
+    return check;
+  }
   const SurfaceMesh surface = surface_mesh(mesh, facets);
   check.closed = CGAL::is_closed(surface);
   find_intersections(surface, check);

@@ -9,6 +9,7 @@ namespace icebow {
 
 struct MeshCheck {
   bool valid_polygon_mesh = false;
+  std::string flaw;  // why it is none, in words with the place [m]
   bool closed = false;
   bool outward = false;              // bounds a volume with outward orientation
   bool self_intersecting = false;    // tested on the triangulated mesh

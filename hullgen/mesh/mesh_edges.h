@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ struct EdgeCount {
   int open = 0, branching = 0;  // edges of one panel; of three or more
 };
 EdgeCount count_edges(const QuadMesh& mesh);
+
+// Why the panels are no oriented manifold surface, how often and where the first place is [m], in words:
+// edges of three panels, neighbours that face opposite ways, surfaces that touch in a point. Empty where they
+// are one. The panels' points exist.
+std::string flaw_of_surface(const QuadMesh& mesh);
 
 // The surfaces the mesh consists of: numbers from 0, one per panel; panels that share an edge are of one.
 std::vector<int> surface_of_panel(const QuadMesh& mesh, int& surfaces);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/file_kind.h"
 #include "base/text.h"
 #include "hullgen/mesh/mesh_io.h"
 #include "hullgen/mesh/ply_file.h"
@@ -71,7 +72,7 @@ QuadMesh read_mesh(const std::string& path, MeshRepairs& repairs, const ImportPr
   const std::string ending = ending_of(path);
   if (!is_mesh_file(path))
     throw InputError(path + ": no mesh format that can be read; the name must end in .obj, .stl or .ply");
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": no such file");
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path + ": " + why_no_file(path));
   return of_quads(ending == ".obj"   ? read_obj(path, progress)
                   : ending == ".stl" ? read_stl(path, progress)
                                      : read_ply(path),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/json_fields.h"
+#include "base/json_words.h"
 #include "base/units.h"
 #include "reports/content/comparison.h"
 #include "reports/html/process_view.h"
@@ -177,12 +178,13 @@ Json margins_view(const Json& result) {
   Json list = Json::array();
   const Json& margins = part_at(result, result_key::margins);
   if (!margins.is_object()) return list;
+  std::map<std::string, std::string> sentences = words_at(result, result_key::margin_sentences);
   for (const auto& [name, value] : margins.items()) {
     const double margin = value.is_number() ? value.get<double>() : std::nan("");
     list.push_back({{"label", name},
                     {"kind", margin < 0.0 ? "negative" : "positive"},
                     {"value", fixed(margin, 2)},
-                    {"words", text_at(part_at(result, result_key::margin_sentences), "/" + name)}});
+                    {"words", sentences[name]}});
   }
   return list;
 }

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <set>
 
+#include "base/csv_cell.h"
 #include "base/json_fields.h"
+#include "base/json_words.h"
 #include "reports/content/comparison.h"
 #include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
@@ -24,11 +26,8 @@ std::set<std::string> parameter_names(const Ranking& ranking) {
   std::set<std::string> names;
   for (const RankedDesign& row : ranking.rows)
     for (const auto& [name, value] : row.evaluation.parameters) names.insert(name);
-  for (const RankedDesign& row : ranking.rows) {
-    const Json& choices = part_at(row.evaluation.result, result_key::choices);
-    if (!choices.is_object()) continue;
-    for (const auto& [name, word] : choices.items()) names.insert(name);
-  }
+  for (const RankedDesign& row : ranking.rows)
+    for (const auto& [name, word] : words_at(row.evaluation.result, result_key::choices)) names.insert(name);
   return names;
 }
 
@@ -47,7 +46,7 @@ std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenario
   const Evaluation& e = row.evaluation;
   const auto result = [&](const char* pointer) { return ',' + csv_number(number_at(e.result, pointer)); };
   std::string line =
-      (row.rank > 0 ? std::to_string(row.rank) : "") + ',' + csv_field(e.name) + ',' + to_string(e.status);
+      (row.rank > 0 ? std::to_string(row.rank) : "") + ',' + csv_cell(e.name) + ',' + to_string(e.status);
   for (const char* angle : angles) line += ',' + csv_number(measured_or_requested(e.result, angle));
   line += ',' + csv_number(row.mean_load) + ',' + csv_number(row.mean_load_ci95);
   line += result(result_key::max_load) + result(result_key::q95_load);
@@ -63,18 +62,17 @@ std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenario
   for (const double load : {row.cycle_load, row.cycle_ci95, row.solver_load, row.solver_ci95})
     line += ',' + csv_number(load);
   line += ',' + csv_number(p_best) + result(result_key::effective_samples) + ',' +
-          csv_field(text_at(e.result, result_key::lindqvist_caution)) + ',' +
-          csv_field(unlike_ice_words(e.result));
-  line += ',' + csv_number(e.wall_seconds) + ',' + csv_field(e.reason);
+          csv_cell(text_at(e.result, result_key::lindqvist_caution)) + ',' +
+          csv_cell(unlike_ice_words(e.result));
+  line += ',' + csv_number(e.wall_seconds) + ',' + csv_cell(e.reason);
   const std::vector<ScenarioLoad> loads = scenario_loads(e.result);
   for (std::size_t k = 0; k < scenarios; ++k)
     line += ',' + (k < loads.size() ? csv_number(loads[k].mean) : "") + ',' +
             (k < loads.size() ? csv_number(loads[k].ci95) : "");
+  std::map<std::string, std::string> choices = words_at(e.result, result_key::choices);
   for (const std::string& name : parameters) {
     const auto it = e.parameters.find(name);
-    const Json& choices = part_at(e.result, result_key::choices);
-    const std::string word = choices.is_object() ? choices.value(name, "") : "";
-    line += ',' + (it == e.parameters.end() ? csv_field(word) : csv_number(it->second));
+    line += ',' + (it == e.parameters.end() ? csv_cell(choices[name]) : csv_number(it->second));
   }
   return line + '\n';
 }
@@ -136,8 +134,8 @@ std::string ranking_csv(const StudyResults& study) {
       "p_best,samples,lindqvist_caution,unlike_ice,wall_s,reason";
   const std::vector<std::string> scenarios = scenario_names(study.ranking);
   for (const std::string& name : scenarios)
-    text += ',' + csv_field("scenario " + name + "_N") + ',' + csv_field("scenario " + name + "_ci95_N");
-  for (const std::string& name : parameters) text += ',' + csv_field(name);
+    text += ',' + csv_cell("scenario " + name + "_N") + ',' + csv_cell("scenario " + name + "_ci95_N");
+  for (const std::string& name : parameters) text += ',' + csv_cell(name);
   text += '\n';
   for (const RankedDesign& row : study.ranking.rows) {
     const bool compared = row.rank > 1;

@@ -12,8 +12,6 @@ namespace icebow {
 std::string html_escaped(const std::string& text);
 // | and line ends do not survive in a table of Markdown.
 std::string markdown_escaped(const std::string& text);
-// RFC 4180: quoted where it has to be.
-std::string csv_field(const std::string& text);
 // Shortest text that reads back as the same double; empty where it is not finite.
 std::string csv_number(double value);
 

@@ -10,7 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 #include "base/communicator.h"
@@ -79,6 +81,15 @@ bool starts_with(const std::string& text, const char* prefix) {
 }
 
 }  // namespace
+
+bool can_be_started(const std::string& program) {
+  if (program.find('/') != std::string::npos) return ::access(program.c_str(), X_OK) == 0;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/bin:/usr/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access(((folder.empty() ? "." : folder) + "/" + program).c_str(), X_OK) == 0) return true;
+  return false;
+}
 
 // mpirun ends its ranks on SIGTERM and cannot on SIGKILL; any other program obeys SIGTERM as well.
 ChildProcess::ChildProcess(const ChildCommand& command) : start_(Clock::now()) {

@@ -20,6 +20,9 @@ struct ChildCommand {
   int when_we_die = SIGTERM;  // what the kernel sends it when this process dies, however that happens
 };
 
+// Whether there is such a program: a path, or a name that stands in PATH.
+bool can_be_started(const std::string& program);
+
 class ChildProcess {
  public:
   // Throws RuntimeError where the program cannot be started.

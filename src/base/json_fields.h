@@ -14,24 +14,26 @@ inline Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+// null where it is absent, and where `pointer` is none, like "/a~b" of a name that somebody else chose.
+inline const Json& part_at(const Json& json, const std::string& pointer) {
+  static const Json nothing;
+  try {
+    const Json::json_pointer at(pointer);
+    return json.contains(at) ? json.at(at) : nothing;
+  } catch (const Json::exception&) {
+    return nothing;
+  }
+}
+
 // `pointer` like "/metrics/full_scale/mean_load_N". NaN where it is absent, null or no number.
 inline double number_at(const Json& json, const std::string& pointer) {
-  const Json::json_pointer at(pointer);
-  if (!json.contains(at)) return std::numeric_limits<double>::quiet_NaN();
-  const Json& value = json.at(at);
+  const Json& value = part_at(json, pointer);
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 inline std::string text_at(const Json& json, const std::string& pointer) {
-  const Json::json_pointer at(pointer);
-  return json.contains(at) && json.at(at).is_string() ? json.at(at).get<std::string>() : std::string();
-}
-
-// null where it is absent.
-inline const Json& part_at(const Json& json, const std::string& pointer) {
-  static const Json nothing;
-  const Json::json_pointer at(pointer);
-  return json.contains(at) ? json.at(at) : nothing;
+  const Json& value = part_at(json, pointer);
+  return value.is_string() ? value.get<std::string>() : std::string();
 }
 
 inline bool is_false_at(const Json& json, const std::string& pointer) {

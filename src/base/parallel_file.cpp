@@ -71,6 +71,14 @@ std::vector<hsize_t> part_of(const std::vector<std::uint64_t>& extent, std::size
   return part;
 }
 
+hid_t text_type(std::uint64_t width) {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, width);
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
 // A selection of HDF5; nothing where a count is 0.
 hid_t selection(const Slab& slab) {
   const std::vector<hsize_t> extent = sizes(slab.extent), start = sizes(slab.start),
@@ -128,6 +136,33 @@ struct ParallelFile::Native {
     fail_together(comm, ok ? "" : "cannot " + std::string(doing) + " " + path + ": " + why);
   }
   void agree(bool ok) const { agree(ok, ok ? std::string() : last_error()); }
+
+  void write(const std::string& name, hid_t type, const Slab& in_file, const void* memory,
+             const Slab& in_memory) const {
+    assert(in_file.count.size() == in_file.extent.size());
+    const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
+    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    if (checksums && !is_empty(in_file)) {
+      const std::vector<hsize_t> part = part_of(in_file.extent, H5Tget_size(type));
+      H5Pset_chunk(layout, static_cast<int>(part.size()), part.data());
+      H5Pset_fletcher32(layout);
+    }
+    const Handle set(H5Dcreate2(file, name.c_str(), type, there, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose);
+    agree(set.ok());
+    if (is_empty(in_file)) return;
+    agree(H5Dwrite(set, type, here, there, transfer, memory) >= 0);
+  }
+
+  void read(const std::string& name, hid_t type, const Slab& in_file, void* memory,
+            const Slab& in_memory) const {
+    const Handle set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+    agree(set.ok());
+    const Handle stored(H5Dget_space(set), H5Sclose), there(selection(in_file), H5Sclose),
+        here(selection(in_memory), H5Sclose);
+    agree(H5Sextent_equal(stored, there) > 0, name + " has another size than it should");
+    if (is_empty(in_file)) return;
+    agree(H5Dread(set, type, here, there, transfer, memory) >= 0);
+  }
 
   static hid_t native_type(Type type) {
     switch (type) {
@@ -200,33 +235,12 @@ void ParallelFile::group(const std::string& name) {
 
 void ParallelFile::write_raw(const std::string& name, Type type, const Slab& in_file, const void* memory,
                              const Slab& in_memory) {
-  assert(in_file.count.size() == in_file.extent.size());
-  Native& n = *native_;
-  const hid_t native_type = Native::native_type(type);
-  const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
-  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (n.checksums && !is_empty(in_file)) {
-    const std::vector<hsize_t> part = part_of(in_file.extent, H5Tget_size(native_type));
-    H5Pset_chunk(layout, static_cast<int>(part.size()), part.data());
-    H5Pset_fletcher32(layout);
-  }
-  const Handle set(H5Dcreate2(n.file, name.c_str(), native_type, there, H5P_DEFAULT, layout, H5P_DEFAULT),
-                   H5Dclose);
-  n.agree(set.ok());
-  if (is_empty(in_file)) return;
-  n.agree(H5Dwrite(set, native_type, here, there, n.transfer, memory) >= 0);
+  native_->write(name, Native::native_type(type), in_file, memory, in_memory);
 }
 
 void ParallelFile::read_raw(const std::string& name, Type type, const Slab& in_file, void* memory,
                             const Slab& in_memory) {
-  Native& n = *native_;
-  const Handle set(H5Dopen2(n.file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  n.agree(set.ok());
-  const Handle stored(H5Dget_space(set), H5Sclose), there(selection(in_file), H5Sclose),
-      here(selection(in_memory), H5Sclose);
-  n.agree(H5Sextent_equal(stored, there) > 0, name + " has another size than it should");
-  if (is_empty(in_file)) return;
-  n.agree(H5Dread(set, Native::native_type(type), here, there, n.transfer, memory) >= 0);
+  native_->read(name, Native::native_type(type), in_file, memory, in_memory);
 }
 
 std::uint64_t ParallelFile::length(const std::string& name) {
@@ -247,6 +261,38 @@ void ParallelFile::write_text(const std::string& name, const std::string& text) 
 std::string ParallelFile::read_text(const std::string& name) {
   const std::vector<std::uint8_t> bytes = read_list<std::uint8_t>(name);
   return std::string(bytes.begin(), bytes.end());
+}
+
+void ParallelFile::write_texts(const std::string& name, const std::vector<std::string>& texts) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  const std::uint64_t width = of_root(longest);
+  const Slab all = Slab::whole({of_root(texts.size())});
+  std::string padded;
+  for (const std::string& text : texts) padded += text + std::string(longest - text.size(), '\0');
+  const Handle type(text_type(width), H5Tclose);
+  const Slab own = is_root() ? all : Slab::nothing(all.extent);
+  native_->write(name, type, own, padded.data(), own);
+}
+
+std::vector<std::string> ParallelFile::read_texts(const std::string& name) {
+  const Slab all = Slab::whole({length(name)});
+  std::size_t width = 0;
+  {
+    const Handle set(H5Dopen2(native_->file, name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    native_->agree(H5Tget_class(type) == H5T_STRING, name + " is no list of texts");
+    width = H5Tget_size(type);
+  }
+  std::string padded(width * all.extent[0], '\0');
+  const Handle type(text_type(width), H5Tclose);
+  native_->read(name, type, all, padded.data(), all);
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at < padded.size(); at += width) {
+    const std::size_t end = padded.find_last_not_of('\0', at + width - 1);
+    texts.push_back(end == std::string::npos || end < at ? "" : padded.substr(at, end + 1 - at));
+  }
+  return texts;
 }
 
 void ParallelFile::attribute(const std::string& object, const std::string& name,

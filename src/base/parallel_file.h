@@ -65,6 +65,9 @@ class ParallelFile {
   }
   void write_text(const std::string& name, const std::string& text);
   std::string read_text(const std::string& name);
+  // Of UTF-8, as strings of one length that zero bytes fill up: such bytes at a text's end do not come back.
+  void write_texts(const std::string& name, const std::vector<std::string>& texts);
+  std::vector<std::string> read_texts(const std::string& name);
 
   // Attributes of a group or, with "/", of the file. The same values on all ranks.
   void attribute(const std::string& object, const std::string& name, const std::vector<std::int64_t>& values);

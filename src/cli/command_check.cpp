@@ -2,17 +2,18 @@
 #include <cmath>
 #include <iostream>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/json_fields.h"
 #include "base/printable.h"
 #include "base/units.h"
 #include "cli/commands.h"
+#include "cli/cost_text.h"
 #include "cli/study_choice.h"
 #include "cli/text_table.h"
 #include "solver/lattice/lattice.h"
 #include "solver/run/simulation.h"
 #include "study/evaluate/calibration.h"
-#include "study/look/study_cost.h"
 #include "study/plan/feasible_box.h"
 #include "study/plan/nearest_feasible.h"
 #include "study/plan/variable_ranges.h"
@@ -57,13 +58,13 @@ std::string method_lines(const StudySpec& spec, const StudyPlan& plan) {
 }
 
 // A design as far as it is known without a mesh.
-std::string verdict_on(const PlannedDesign& planned) {
-  if (!planned.design.given) return "cannot be evaluated: " + planned.design.mistake;
-  const Case& c = *planned.design.given;
+std::string verdict_on(const Design& design) {
+  if (!design.given) return "cannot be evaluated: " + design.mistake;
+  const Case& c = *design.given;
   const BowFeasibility f = check_feasibility(c);
   if (f.feasible) return "";
   const std::string nearest =
-      c.own.given() ? "" : nearest_feasible_words(c.bow, held_displacement(planned.design.document));
+      c.own.given() ? "" : nearest_feasible_words(c.bow, held_displacement(design.document));
   return "infeasible: " + f.reason + (nearest.empty() ? "" : "; " + nearest);
 }
 
@@ -100,17 +101,24 @@ int infeasible(const StudyPlan& plan) {
       }));
 }
 
-std::string design_lines(const StudyPlan& plan) {
+// "/bow/family flat  /bow/stem_deg 22": a design's place in the study.
+std::string place_of(const StudySpec& spec, const Design& design) {
+  std::string text;
+  for (const Variable& v : spec.method.variables)
+    if (!v.words.empty()) text += "  " + v.pointer + " " + text_at(design.document, v.pointer);
+  for (const auto& [pointer, value] : design.parameters) text += "  " + pointer + " " + brief(value);
+  return text;
+}
+
+std::string design_lines(const StudySpec& spec, const StudyPlan& plan) {
   const int no = infeasible(plan);
   const std::string all = std::to_string(plan.designs.size());
   std::string text = "designs: " + all + "\n";
   if (no > 0) text += "  " + std::to_string(no) + " of " + all + " infeasible\n";
   for (std::size_t k = 0; k < plan.designs.size() && k < most_listed; ++k) {
     const PlannedDesign& planned = plan.designs[k];
-    text += "  " + std::to_string(k + 1) + "  " + planned.design.name;
-    for (const auto& [pointer, value] : planned.design.parameters)
-      text += "  " + pointer + " " + brief(value);
-    const std::string verdict = verdict_on(planned);
+    text += "  " + std::to_string(k + 1) + "  " + planned.design.name + place_of(spec, planned.design);
+    const std::string verdict = verdict_on(planned.design);
     text += (verdict.empty() ? "" : "  (" + verdict + ")") + "\n";
   }
   if (plan.designs.size() > most_listed)
@@ -142,11 +150,11 @@ std::string block_line(const Scenario& s, const RunSize& size, double lambda) {
          " takes as long, one of " + metres(filled - block) + " less\n";
 }
 
-// The size of one run, of the file's own design; a bow that cannot be made, or a run that cannot, is said in
+// The size of one run; a bow that cannot be made, or a run that cannot, is said in
 // words.
 std::string size_line(const Case& c) {
   const Hull hull = make_hull(c);
-  if (hull.status != HullStatus::ok) return "the file's own design has no hull: " + hull.reason + "\n";
+  if (hull.status != HullStatus::ok) return "there is no hull, and no run: " + hull.reason + "\n";
   const Scenario scenario = simulated_scenario(Communicator::serial(), c);
   const RunSize size = run_size(scaled(hull.mesh, 1.0 / c.lambda), scenario);
   const double particles = 1.0 * size.nx * size.ny * size.nz;
@@ -182,70 +190,84 @@ std::string decide_lines(const StudySpec& spec) {
   return text + "\n";
 }
 
-std::string bytes(double number) {
-  return number < 1e9 ? brief(std::round(number / 1e5) / 10.0) + " MB"
-                      : brief(std::round(number / 1e8) / 10.0) + " GB";
+std::string head(const StudySpec& spec) {
+  return spec.file + ": no mistakes\n" + printable(spec.name) + "\n" +
+         (spec.purpose.empty() ? "" : "purpose: " + printable(spec.purpose) + "\n");
 }
 
-std::string cost_words(const std::string& what, int number, const DesignCost& cost,
-                       const Execution& execution) {
-  const double minutes = cost.core_s / 60.0, hours = cost.core_s * number / 3600.0;
-  std::string text = "  " + std::to_string(number) + " " + what + ": ";
-  text += minutes < 0.1 ? decimals(cost.core_s, 3) + " s" : decimals(minutes, 1) + " min";
-  text += " of a core each";
-  if (execution.ranks_per_design > 1)
-    text += " (" + decimals(minutes / execution.ranks_per_design, 1) + " min by " +
-            std::to_string(execution.ranks_per_design) + " ranks)";
-  return text + ", " + decimals(hours, 2) + " core hours, " + bytes(cost.bytes * number) + "\n";
+// A program that is not here may be where the study runs.
+std::string found_here(const std::string& program) {
+  return can_be_started(program) ? "" : ", " + printable(program) + ", which is not found on this machine";
 }
 
-// What the study takes, by a measurement of some seconds.
-std::string cost_lines(const StudySpec& spec, const StudyPlan& plan) {
-  constexpr double seconds = 5.0;
-  const StudyCost cost = study_cost(spec, plan, seconds);
-  if (!cost.unknown.empty()) return "cost: not known: " + cost.unknown + "\n";
-  std::string text = "cost, at most, by what this machine took for the file's own design:\n";
-  text += cost_words("designs", cost.designs, cost.design, spec.execution);
-  if (cost.confirmations > 0)
-    text += cost_words("simulations", cost.confirmations, cost.confirmation, spec.execution);
-  const double checkpoint = std::max(cost.design.checkpoint, cost.confirmation.checkpoint);
-  if (checkpoint > 0.0)
-    text += "  and " + bytes(checkpoint) + " for the checkpoint of each that is under way\n";
-  if (spec.decide.given) text += "  each leg of the race comes on top\n";
-  if (cost.programs) text += "  programs of your own were not started: their time is not in it\n";
+std::string evaluator_lines(const StudySpec& spec) {
+  std::string text = std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
+                     (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "");
+  for (const ProgramEvaluator& program : spec.programs)
+    text += " " + program.name + " (a program" + found_here(program.command.at(0)) + ")";
+  text += "\n";
+  const std::vector<std::string>& launcher = spec.execution.launcher;
+  if (!launcher.empty() && !can_be_started(launcher.front()))
+    text += "launcher: " + found_here(launcher.front()).substr(2) + "\n";
   return text;
+}
+
+// The conditions of each scenario, and the size of its run.
+std::string condition_lines(const Case& c) {
+  std::string text = operation_line(c);
+  for (const CaseScenario& scenario : c.scenarios)
+    text += "scenario " + printable(scenario.name) + ", weight " + brief(scenario.weight) + ": " +
+            operation_line(*scenario.given);
+  return text;
+}
+
+std::string size_lines(const StudySpec& spec, const Case& c) {
+  if (!spec.use_peridynamics && !spec.confirm.given()) return "";
+  if (c.scenarios.empty()) return size_line(c);
+  std::string text;
+  for (const CaseScenario& scenario : c.scenarios)
+    text += "scenario " + printable(scenario.name) + ": " + size_line(*scenario.given);
+  return text;
+}
+
+int check_study(const StudySpec& spec, bool cost) {
+  const StudyPlan plan = plan_study(spec);
+  const FeasibleBox box = feasible_box(spec);
+  std::string text = head(spec) + hull_lines(spec.baseline) + design_lines(spec, plan) +
+                     method_lines(spec, plan) + box_lines(box) + condition_lines(spec.baseline) +
+                     evaluator_lines(spec);
+  if (spec.confirm.given())
+    text += "then the best " + std::to_string(spec.confirm.best) + " and " +
+            std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
+  text += decide_lines(spec) + size_lines(spec, spec.baseline);
+  if (cost) text += cost_text(spec, plan);
+  std::cout << text;
+  if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;
+  std::cerr << spec.file << ": nothing is feasible: the study would rank no design of its method\n";
+  return exit_code::nothing_feasible;
+}
+
+int check_design(const StudySpec& spec, const ChosenDesign& chosen, bool cost) {
+  const Design& design = chosen.design;
+  const std::string verdict = verdict_on(design);
+  std::string text = head(spec) + hull_lines(chosen.description) + "design: " + design.name +
+                     place_of(spec, design) + "\n  " + (verdict.empty() ? "feasible" : verdict) + "\n" +
+                     condition_lines(chosen.description) + evaluator_lines(spec);
+  if (verdict.empty()) text += size_lines(spec, chosen.description);
+  if (verdict.empty() && cost) text += cost_text(spec, design);
+  std::cout << text;
+  if (verdict.empty()) return exit_code::ok;
+  std::cerr << spec.file << ": the design " << design.name << " is " << verdict << "\n";
+  return exit_code::nothing_feasible;
 }
 
 }  // namespace
 
 int run_check(const Communicator&, const Arguments& arguments) {
   const StudySpec spec = load_study(arguments);
-  const StudyPlan plan = plan_study(spec);
-  const FeasibleBox box = feasible_box(spec);
-  std::string text = spec.file + ": no mistakes\n" + printable(spec.name) + "\n";
-  if (!spec.purpose.empty()) text += "purpose: " + printable(spec.purpose) + "\n";
-  text += hull_lines(spec.baseline) + design_lines(plan) + method_lines(spec, plan) + box_lines(box) +
-          operation_line(spec.baseline);
-  for (const CaseScenario& scenario : spec.baseline.scenarios)
-    text += "scenario " + printable(scenario.name) + ", weight " + brief(scenario.weight) + ": " +
-            operation_line(*scenario.given);
-  text += std::string("evaluators:") + (spec.use_lindqvist ? " lindqvist" : "") +
-          (spec.use_cycle ? " cycle" : "") + (spec.use_peridynamics ? " peridynamics" : "");
-  for (const ProgramEvaluator& program : spec.programs) text += " " + program.name + " (a program)";
-  text += "\n";
-  if (spec.confirm.given())
-    text += "then the best " + std::to_string(spec.confirm.best) + " and " +
-            std::to_string(spec.confirm.spread) + " of the others by peridynamics\n";
-  text += decide_lines(spec);
-  const bool simulates = spec.use_peridynamics || spec.confirm.given();
-  if (simulates && spec.baseline.scenarios.empty()) text += size_line(spec.baseline);
-  for (const CaseScenario& scenario : spec.baseline.scenarios)
-    if (simulates) text += "scenario " + printable(scenario.name) + ": " + size_line(*scenario.given);
-  if (arguments.has("--cost")) text += cost_lines(spec, plan);
-  std::cout << text;
-  if (!nothing_is_feasible(spec, plan, box)) return exit_code::ok;
-  std::cerr << spec.file << ": nothing is feasible: the study would rank no design of its method\n";
-  return exit_code::nothing_feasible;
+  const bool cost = arguments.has("--cost");
+  return arguments.has("--design") ? check_design(spec, choose_design(spec, arguments), cost)
+                                   : check_study(spec, cost);
 }
 
 }  // namespace icebow

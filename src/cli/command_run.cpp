@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/stop_signal.h"
 #include "cli/commands.h"
@@ -42,15 +44,23 @@ int write_reports(const std::string& directory) {
     write_html_report(directory, (std::filesystem::path(directory) / "report.html").string());
     return exit_code::ok;
   } catch (const std::exception& error) {
-    std::cerr << "icebow run: no report: " << error.what() << "\n";
+    std::cerr << "icebow run: no report: " << in_words(error) << "\n";
     return exit_code::failure;
   }
 }
 
-int code_of(const StudyOutcome& outcome, int reports) {
+// Designs that were evaluated but lack the number that the study ranks by.
+int without_rank(const Ranking& ranking) {
+  return static_cast<int>(
+      std::count_if(ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) {
+        return row.rank == 0 && row.evaluation.status == EvaluationStatus::ok;
+      }));
+}
+
+int code_of(const StudyOutcome& outcome, int unranked, int reports) {
   if (reports != exit_code::ok) return reports;
   if (outcome.nothing_feasible) return exit_code::nothing_feasible;
-  return outcome.failed > 0 ? exit_code::some_designs_failed : exit_code::ok;
+  return outcome.failed + unranked > 0 ? exit_code::some_designs_failed : exit_code::ok;
 }
 
 std::string words_on_failures(const StudyOutcome& outcome) {
@@ -80,13 +90,17 @@ int conclude(const StudyOutcome& outcome, const Arguments& arguments) {
   if (outcome.recalled > 0) std::cerr << ", " << outcome.recalled << " of them stored before";
   std::cerr << "; " << (std::filesystem::path(directory) / "report.html").string() << "\n"
             << words_on_failures(outcome);
-  return code_of(outcome, reports);
+  const int unranked = without_rank(ranking);
+  if (unranked > 0)
+    std::cerr << unranked << " of the designs that are ok have no " << ranking.rank_by << " to rank by\n";
+  return code_of(outcome, unranked, reports);
 }
 
 }  // namespace
 
 int run_run(const Communicator& comm, const Arguments& arguments) {
-  const StudySpec spec = load_study(comm, arguments);
+  StudySpec spec = load_study(comm, arguments);
+  if (arguments.has("--design")) spec = study_of_one(comm, spec, arguments);
   const RunSettings settings = settings_for(arguments);
   const StopSignal signals;
   StudyOutcome outcome;

@@ -116,6 +116,10 @@ std::string card_text(const Json& card) {
     text += "second objective " + text_at(card, "/second/by") + ": " +
             brief(number_at(card, "/second/value")) + ", " + place_in_words(words(card, "front")) + "\n";
   for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
+  const Json& choices = part_at(card.at("result"), result_key::choices);
+  if (choices.is_object())
+    for (const auto& [pointer, value] : choices.items())
+      text += "  " + pointer + " " + value.get<std::string>() + "\n";
   for (const auto& [pointer, value] : card.at("parameters").items())
     text += "  " + pointer + " " + (value.is_number() ? brief(value.get<double>()) : "-") + "\n";
   const Json& result = card.at("result");
@@ -155,6 +159,10 @@ std::string diff_text(const Json& diff, const Arguments& arguments) {
                        d.at("ratio").is_number() ? decimals(d.at("ratio").get<double>(), 4) : "-"});
   }
   std::string text = asked.size() > 1 ? text_table(asked) + "\n" : "the same was asked of both\n\n";
+  const Json& by = diff.at("rank_by");
+  if (by[0] != by[1])
+    text += "ranked by unlike numbers, " + by[0].get<std::string>() + " and " + by[1].get<std::string>() +
+            ": their values have no ratio\n\n";
   text += designs.size() > 1 ? text_table(designs) : "no design is in both\n";
   return text + names_text("only in " + arguments.positional, diff.at("only_first")) +
          names_text("only in " + arguments.second, diff.at("only_second"));
@@ -261,9 +269,14 @@ int run_show(const Communicator&, const Arguments& arguments) {
 }
 
 int run_export(const Communicator&, const Arguments& arguments) {
-  if (arguments.has("--json") && arguments.has("--csv"))
-    throw InputError("icebow export: --csv and --json are given; keep one of them");
+  if (arguments.has("--json") + arguments.has("--csv") + arguments.has("--hdf5") > 1)
+    throw InputError("icebow export: --csv, --json and --hdf5 are different files; keep one of them");
   const Json table = study_table(arguments.positional);
+  if (arguments.has("--hdf5")) {
+    write_study_hdf5(table, arguments.value("--hdf5"));
+    std::cout << arguments.value("--hdf5") << "\n";
+    return exit_code::ok;
+  }
   if (arguments.has("--json")) return print_json(table);
   std::cout << study_csv(table);
   return exit_code::ok;

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "cli/commands.h"
@@ -41,7 +42,7 @@ int run_on_root(const Command& command, const Communicator& comm, const Argument
   } catch (const InputError& error) {
     bad_input = error.what();
   } catch (const std::exception& error) {
-    failure = error.what();
+    failure = in_words(error);
   }
   comm.broadcast(&code, sizeof code);
   bad_input = comm.broadcast(bad_input);
@@ -90,7 +91,7 @@ int guarded(const Communicator& comm, const std::vector<std::string>& words) {
     if (comm.is_root()) std::cerr << printable(error.what()) << std::endl;
     return exit_code::failure;
   } catch (const std::exception& error) {
-    std::cerr << "icebow: rank " << comm.rank() << ": " << printable(error.what()) << std::endl;
+    std::cerr << "icebow: rank " << comm.rank() << ": " << printable(in_words(error)) << std::endl;
     if (comm.size() > 1) std::_Exit(exit_code::failure);
     return exit_code::failure;
   }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/json_fields.h"
+#include "base/json_words.h"
 #include "cli/process_text.h"
 #include "cli/text_table.h"
 #include "study/evaluate/result_keys.h"
@@ -56,9 +57,8 @@ std::vector<std::string> varied(const Ranking& ranking) {
   for (const RankedDesign& row : ranking.rows) {
     if (row.rank == 0) continue;
     for (const auto& [pointer, value] : row.evaluation.parameters) values[pointer].insert(value);
-    const Json& choices = part_at(row.evaluation.result, result_key::choices);
-    if (!choices.is_object()) continue;
-    for (const auto& [pointer, word] : choices.items()) values[pointer].insert(word);
+    for (const auto& [pointer, word] : words_at(row.evaluation.result, result_key::choices))
+      values[pointer].insert(word);
   }
   std::vector<std::string> pointers;
   for (const auto& [pointer, different] : values)
@@ -68,13 +68,10 @@ std::vector<std::string> varied(const Ranking& ranking) {
 
 std::vector<std::string> parameter_cells(const Evaluation& e, const std::vector<std::string>& pointers) {
   std::vector<std::string> cells;
-  const Json& choices = part_at(e.result, result_key::choices);
+  std::map<std::string, std::string> choices = words_at(e.result, result_key::choices);
   for (const std::string& pointer : pointers) {
     const auto found = e.parameters.find(pointer);
-    if (found != e.parameters.end())
-      cells.push_back(brief(found->second));
-    else
-      cells.push_back(choices.is_object() ? choices.value(pointer, "") : "");
+    cells.push_back(found == e.parameters.end() ? choices[pointer] : brief(found->second));
   }
   return cells;
 }

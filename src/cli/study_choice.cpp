@@ -1,5 +1,6 @@
 #include "cli/study_choice.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "base/errors.h"
@@ -16,7 +17,8 @@ namespace {
 
 Json load_document(const Arguments& arguments) {
   const std::string& path = arguments.positional;
-  Json document = is_study_directory(path) ? document_of(open_store_of(path)) : read_json_file(path);
+  Json document =
+      std::filesystem::is_directory(path) ? document_of(open_store_of(path)) : read_json_file(path);
   for (const std::string& assignment : arguments.values("--set")) apply_set(document, assignment);
   return document;
 }
@@ -121,6 +123,17 @@ ChosenDesign choose_design(const Communicator& comm, const StudySpec& spec, cons
   if (!mistake.empty()) throw InputError(mistake);
   chosen.description = *chosen.design.given;
   return chosen;
+}
+
+StudySpec study_of_one(const Communicator& comm, const StudySpec& spec, const Arguments& arguments) {
+  const std::string out = arguments.value("--out");
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.positional, out, none))
+    throw InputError("--out " + out + ": holds the study that the design is of; give another directory");
+  Json document = choose_design(comm, spec, arguments).design.document;
+  document["method"] = {{"type", "list"}};
+  for (const char* key : {"designs", "include_baseline", "decide", "confirm"}) document.erase(key);
+  return read_study(document, spec.file);
 }
 
 }  // namespace icebow

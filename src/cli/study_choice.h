@@ -24,4 +24,8 @@ ChosenDesign choose_design(const StudySpec& spec, const Arguments& arguments);
 // The same, collective: the root looks, every rank gets the design or the error.
 ChosenDesign choose_design(const Communicator& comm, const StudySpec& spec, const Arguments& arguments);
 
+// The chosen design as a study of its own, whose baseline it is, in another directory; collective. Throws
+// InputError.
+StudySpec study_of_one(const Communicator& comm, const StudySpec& spec, const Arguments& arguments);
+
 }  // namespace icebow

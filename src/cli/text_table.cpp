@@ -53,6 +53,7 @@ std::string clock_time(double seconds) {
 
 std::string decimals(double value, int digits) {
   if (!std::isfinite(value)) return "-";
+  if (std::fabs(value) >= 1e12) return text("%.6g", value);
   const std::string printed = text("%.*f", digits, value);
   const bool zero = printed.find_first_of("123456789") == std::string::npos;
   return zero && printed[0] == '-' ? printed.substr(1) : printed;

@@ -14,7 +14,7 @@ std::string cut(const std::string& text, int width);
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 // "0:42", "1:02:03"; "--:--" where it is not finite.
 std::string clock_time(double seconds);
-// With so many digits behind the point; "-" where it is not finite.
+// With so many digits behind the point; "-" where it is not finite. Beyond 1e12 to six digits, like 1e+300.
 std::string decimals(double value, int digits);
 
 }  // namespace icebow

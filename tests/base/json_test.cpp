@@ -10,7 +10,9 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error_words.h"
 #include "base/errors.h"
+#include "base/json_words.h"
 #include "base/printable.h"
 
 using namespace icebow;
@@ -174,6 +176,36 @@ TEST_CASE("a link in the place of a temporary file is not followed") {
   write_text_file(dir.file("a.json"), "new");
   CHECK(read_text_file(dir.file("victim")) == "untouched");
   CHECK(read_text_file(dir.file("a.json")) == "new");
+}
+
+TEST_CASE("a look-up by a pointer that is none, or beyond a list, finds nothing") {
+  const Json json = parse_json(R"({"a~b": 1, "list": [1, 2]})", "test.json");
+  for (const char* pointer :
+       {"/a~b", "a", "/list/99999999999999999999", "/list/-", "/list/01", "/list/x", "/~"}) {
+    INFO(pointer);
+    CHECK(part_at(json, pointer).is_null());
+    CHECK(text_at(json, pointer).empty());
+    CHECK(std::isnan(number_at(json, pointer)));
+  }
+  CHECK(number_at(json, "/a~0b") == 1.0);
+  CHECK(words_at(parse_json(R"({"c": {"a~b": "x", "n": 7}})", "test.json"), "/c") ==
+        std::map<std::string, std::string>{{"a~b", "x"}});
+}
+
+TEST_CASE("memory and threads that are short are the machine's, and told in words") {
+  CHECK(is_of_machine(std::bad_alloc()));
+  CHECK_THAT(in_words(std::bad_alloc()), Catch::Contains("not enough memory"));
+  const std::system_error threads(std::make_error_code(std::errc::resource_unavailable_try_again));
+  CHECK(is_of_machine(threads));
+  CHECK_THAT(in_words(threads), Catch::Contains("ulimit -u"));
+  CHECK(is_of_machine(RuntimeError("a disk")));
+  CHECK_FALSE(is_of_machine(InputError("a mistake")));
+  CHECK_FALSE(is_of_machine(std::runtime_error("a crash")));
+  try {
+    Json::object().at("a");
+  } catch (const Json::exception& error) {
+    CHECK(in_words(error) == "key 'a' not found");
+  }
 }
 
 TEST_CASE("a file without end is refused") {

@@ -19,12 +19,18 @@ TEST_CASE("lists and texts come back on every rank, empty ones too") {
   written.write_list("none", std::vector<std::int64_t>{});
   written.write_text("text", "sheet");
   written.write_text("silence", "");
+  written.write_texts("names", root ? std::vector<std::string>{"Steep stem", "", "B\u00f8rge"}
+                                    : std::vector<std::string>{"x"});
+  written.write_texts("no names", {});
   written.close();
   ParallelFile read = ParallelFile::open(world, path);
   CHECK(read.read_list<double>("numbers") == std::vector<double>{1.5, -2.0});
   CHECK(read.read_list<std::int64_t>("none").empty());
   CHECK(read.read_text("text") == "sheet");
   CHECK(read.read_text("silence").empty());
+  CHECK(read.read_texts("names") == std::vector<std::string>{"Steep stem", "", "B\u00f8rge"});
+  CHECK(read.read_texts("no names").empty());
+  CHECK_THROWS_WITH(read.read_texts("numbers"), Catch::Contains("no list of texts"));
   CHECK_THROWS_WITH(read.read_text("other"), Catch::Contains(path));
 }
 

@@ -125,5 +125,5 @@ def outcome_of(place, directory):
 def is_one_sentence(text):
     """A message of a few lines, without a stack trace."""
     lines = [line for line in text.splitlines() if line.strip()]
-    banned = ("terminate called", "what():", "Segmentation", "AddressSanitizer", "runtime error", "json.exception")
+    banned = ("terminate called", "what():", "Segmentation", "AddressSanitizer", "runtime error", "json.exception", "std::bad_alloc")
     return 0 < len(lines) <= 6 and len(text) < 2500 and not any(word in text for word in banned)

@@ -167,6 +167,11 @@ class Campaign:
         self.expect("few file handles", (0, 1), run_in(place.path / "few", preexec_fn=limited(resource.RLIMIT_NOFILE, 12)))
         self.expect("little memory", (0, 1), place.run(
             "simulate", simulated, "--out", place.path / "little", preexec_fn=limited(resource.RLIMIT_AS, 700 << 20)))
+        for most in (60, 90, 120):  # MB: too few for the report, for the ice, for either
+            out = place.path / f"memory{most}"
+            self.expect(f"{most} MB of memory", (0, 1), place.run(
+                "run", simulated, "--out", out, preexec_fn=limited(resource.RLIMIT_AS, most << 20)))
+            self.expect(f"after {most} MB of memory", (0,), place.run("run", simulated, "--out", out))
         for most in (0, 1, 100, 5000, 100000):
             out = place.path / f"limit{most}"
             result = run_in(out, preexec_fn=limited(resource.RLIMIT_FSIZE, most))
@@ -185,7 +190,7 @@ class Campaign:
         self.expect("a clock that runs backwards", (0,), run_in(out, extra=backwards))
         if place.run("rank", out, "--json").stdout != expected:
             self.note("a clock that runs backwards", "another ranking")
-        print(f"places and limits: {checks + 15 + self.read_only(path, good, expected)} tried", flush=True)
+        print(f"places and limits: {checks + 18 + self.read_only(path, good, expected)} tried", flush=True)
 
     def read_only(self, path, good, expected):
         """Root may write anywhere, so nobody (65534) tries."""

@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -142,6 +143,45 @@ class Check(ProgramTest):
         text = self.expect(0, "check", TINY, "--cost", "--set", "/execution/ranks_per_design=2").stdout
         self.assertRegex(text, r"(?m)^  \d+ designs: [0-9.]+ (s|min) of a core each \([0-9.]+ min by 2 ranks\), ")
         self.assertNotIn("cost", self.expect(0, "check", TINY).stdout)
+        race = self.expect(0, "check", TINY, "--cost", "--set", '/decide={"budget_core_h": 2, "longest_m": 80}',
+                           "--set", "/sheet/window_ahead_m=12", "--set", "/sheet/length_m=46").stdout
+        self.assertRegex(race, r"(?m)^  2 first legs: ")
+        self.assertRegex(race, r"as far as it may sail, 80 m, take [0-9.]+ core hours; none is sailed on once 2 are spent")
+
+    def test_one_design_of_a_study(self):
+        said = self.expect(0, "check", TINY, "--design", "Steep stem").stdout
+        self.assertIn("design: Steep stem\n  feasible\n", said)
+        self.assertRegex(said, r"one run: \d+ x \d+ x 2 ")
+        self.assertNotIn("designs:", said)
+        self.assertIn("design: Steep stem", self.expect(0, "check", TINY, "--design", "2").stdout)
+        cost = self.expect(0, "check", TINY, "--design", "Steep stem", "--cost", "--set", '/evaluators=["lindqvist"]',
+                           "--set", "/ranking/by=lindqvist_breaking").stdout
+        self.assertRegex(cost, r"(?m)^  1 design: 0\.\d+ s of a core each")
+        bad = self.expect(3, "check", TINY, "--design", "Steep stem", "--set", "/bow/bow_length_m=12")
+        self.assertIn("the design Steep stem is infeasible: ", bad.stderr)
+        self.assertIn("no such design", self.expect(2, "check", TINY, "--design", "Step stem").stderr)
+
+    def test_words_of_a_design_are_listed(self):
+        said = self.expect(0, "check", TINY, "--set", '/method={"type": "grid", "variables": {"/bow/family": '
+                           '{"values": ["straight_parallel_buttocks", "concave"]}}}').stdout
+        self.assertIn("d002  /bow/family concave", said)
+
+    def test_a_program_that_is_not_here(self):
+        study = self.directory / "yard.json"
+        document = json.loads(TINY.read_text())
+        document.update(evaluators=["lindqvist", {"name": "yard", "command": ["no_such_program"]}],
+                        ranking={"by": "/programs/yard/resistance_N"})
+        study.write_text(json.dumps(document))
+        self.assertIn("no_such_program, which is not found", self.expect(0, "check", study).stdout)
+        self.assertIn("no_such_program: cannot be started",
+                      self.expect(1, "run", study, "--out", self.directory / "yard").stderr)
+        document["evaluators"][1]["command"] = ["echo", '{"resistance_N": 1e300}']
+        study.write_text(json.dumps(document))
+        self.assertIn(" 1e+297", self.expect(0, "run", study, "--out", self.directory / "yard").stdout)
+        document["evaluators"][1]["command"] = ["echo", '{"resistance_kN": 1}']
+        study.write_text(json.dumps(document))
+        self.assertIn("2 of the designs that are ok have no /programs/yard/resistance_N",
+                      self.expect(3, "run", study, "--out", self.directory / "yard").stderr)
 
     def test_under_mpi_one_rank_speaks_and_nobody_hangs(self):
         self.assertEqual(self.expect(0, "check", TINY, ranks=2).stdout.count("no mistakes"), 1)
@@ -382,6 +422,8 @@ class Stored(ProgramTest):
         self.assertAlmostEqual(hull["requested_deg"]["stem"], stem)
         self.assertAlmostEqual(hull["requested_deg"]["flare"], 33)
         self.assertIn("no mistakes", self.expect(0, "check", self.out).stdout)
+        self.assertIn(f"  /bow/stem_deg {stem:.6g}\n  feasible\n", self.expect(0, "check", self.out, "--design", "d003").stdout)
+        self.assertIn("holds no study", self.expect(2, "hull", self.directory).stderr)
         self.assertIn("d003", self.expect(0, "show", self.out, "d003").stdout)
         self.assertIn("d003", self.expect(2, "show", self.out, "d03").stderr)
         self.assertIn("DESIGN is missing", self.expect(2, "show", self.out).stderr)
@@ -401,6 +443,28 @@ class Stored(ProgramTest):
         self.assertEqual((again / "history.csv").read_bytes(), (race / "designs/d001/history.csv").read_bytes())
         self.assertFalse((again / "checkpoint.h5").exists())
         self.assertIn("Not decided", self.expect(0, "rank", race).stdout)
+
+    def test_a_design_by_a_program_or_over_scenarios_is_evaluated_again_as_it_was(self):
+        study = json.loads(self.study.read_text())
+        study.update(designs=[], ranking={"by": "/programs/yard/load_N"}, method={"type": "grid", "variables":
+                     {"/bow/stem_deg": {"values": [23, 26]}}}, evaluators=["lindqvist", {"name": "yard", "command": ["sh", "-c",
+                     "sed -n 's/.*\"stem_deg\":\\([0-9.]*\\).*/{\"load_N\": \\1}/p'"]}],
+                     scenarios=[{"name": "thin", "set": {"ice": {"thickness_m": 1.5}}}, {"name": "thick", "set": {"ice": {"thickness_m": 2.5}}}])
+        for by in ("/programs/yard/load_N", "lindqvist_breaking"):
+            study["ranking"]["by"] = by
+            self.study.write_text(json.dumps(study))
+            out, again = self.directory / "several", self.directory / "again"
+            self.expect(0, "run", self.study, "--out", out)
+            card = json.loads(self.expect(0, "show", out, "d002", "--json").stdout)
+            self.assertEqual(card["commands"]["again"], f"icebow run {out} --design d002 --out again")
+            words = card["commands"]["again"].replace("--out again", f"--out {again}").split()[1:]
+            alone = json.loads(self.expect(0, *words, "--json").stdout)["designs"]
+            self.assertEqual(len(alone), 1)
+            self.assertIn("another directory", self.expect(2, "run", out, "--design", "d002", "--out", out).stderr)
+            self.assertEqual(alone[0]["lindqvist_breaking_N"], card["result"]["lindqvist"]["breaking_N"])
+            self.assertEqual(json.loads(self.expect(0, "show", again, "baseline", "--json").stdout)["value"], card["value"])
+            finer = shlex.split(card["commands"]["finer"].replace("--out finer", f"--out {self.directory / 'finer'}"))
+            self.expect(0, *finer[1:])
 
     def test_a_design_of_another_study_file_is_said_to_be_that(self):
         study = json.loads(self.study.read_text())
@@ -438,6 +502,21 @@ class Stored(ProgramTest):
             if whole["status"] == "ok":
                 self.assertEqual(float(row["result:/lindqvist/total_N"]), whole["result"]["lindqvist"]["total_N"])
         self.assertIn("keep one", self.expect(2, "export", self.out, "--csv", "--json").stderr)
+        whole = self.directory / "whole.h5"
+        self.assertEqual(self.expect(0, "export", self.out, "--hdf5", whole).stdout, f"{whole}\n")
+        self.assertEqual(whole.read_bytes()[:4], b"\x89HDF")
+        self.assertIn("no/such.h5", self.expect(1, "export", self.out, "--hdf5", self.directory / "no/such.h5").stderr)
+        choice = {"type": "grid", "variables": {"/bow/family": {"values": ["straight_parallel_buttocks", "concave"]}}}
+        other = self.directory / "families"
+        self.expect(0, "run", self.study, "--out", other, "--set", f"/method={json.dumps(choice)}")
+        rows = list(csv.DictReader(io.StringIO(self.expect(0, "export", other).stdout)))
+        self.assertEqual({row["design"]: row["choice:/bow/family"] for row in rows}["d002"], "concave")
+        self.assertIn("/bow/family concave", self.expect(0, "show", other, "d002").stdout)
+        choice["variables"]["/bow/stem_deg"] = {"values": [23, 26]}
+        self.expect(0, "run", self.study, "--out", other, "--set", f"/method={json.dumps(choice)}")
+        same = json.loads(self.expect(0, "diff", other, other, "--json").stdout)["designs"]
+        self.assertEqual(len(same), 6)  # baseline, the named one, and four points, two of which share their numbers
+        self.assertTrue(all(d["first"] == d["second"] for d in same))
 
     def test_what_two_studies_have_in_common(self):
         other = self.directory / "other"
@@ -452,6 +531,11 @@ class Stored(ProgramTest):
         self.assertGreater(both["baseline"]["ratio"], 1.0)  # thicker ice
         self.assertIn("d001", diff["only_first"])
         self.assertIn("only in", self.expect(0, "diff", self.out, other).stdout)
+        self.expect(0, "run", self.study, "--out", other, "--set", '/evaluators=["lindqvist", "cycle"]', "--set", "/ranking/by=cycle_load",
+                    "--set", "/method={\"type\": \"list\"}")
+        unlike = json.loads(self.expect(0, "diff", self.out, other, "--json").stdout)
+        self.assertEqual({d["ratio"] for d in unlike["designs"]}, {None})
+        self.assertIn("unlike numbers", self.expect(0, "diff", self.out, other).stdout)
         same = json.loads(self.expect(0, "diff", self.out, self.out, "--json").stdout)
         self.assertEqual((same["study"], same["only_first"]), ([], []))
         self.assertEqual({d["ratio"] for d in same["designs"] if d["ratio"]}, {1.0})

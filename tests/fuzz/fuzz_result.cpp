@@ -1,4 +1,4 @@
-// A stored result, whose JSON anybody may have written: it is ranked and its report drawn.
+// A stored result, whose JSON anybody may have written: it is ranked, and its report and tables are written.
 #include "base/errors.h"
 #include "reports/html/card_view.h"
 #include "reports/html/chart_data.h"
@@ -7,6 +7,7 @@
 #include "reports/html/ranking_view.h"
 #include "reports/tables/table_report.h"
 #include "study/effects/response_fit.h"
+#include "study/look/study_table.h"
 #include "study/plan/ranking.h"
 
 using namespace icebow;
@@ -25,6 +26,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   content.designs.assign(content.study.ranking.rows.size(), DesignContent());
   content.unit = load_unit(content.study.ranking);
   to_json(content.study.ranking);
+  ranking_csv(content.study);
+  ranking_markdown(content.study);
+  study_csv(Json::array({{{"design", e.name},
+                          {"status", "ok"},
+                          {"reason", ""},
+                          {"rank", 1},
+                          {"parameters", Json::object()},
+                          {"result", e.result.is_object() ? e.result : Json::object()}}}));
   json_text(ranking_view(content));
   json_text(unranked_view(content));
   json_text(podium_view(content));

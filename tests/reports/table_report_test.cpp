@@ -120,6 +120,25 @@ TEST_CASE("a study that confirms has the cycle's and the simulated load in its t
         std::string::npos);
 }
 
+TEST_CASE("choices that are no words, in a store of somebody else, cost their cells alone") {
+  const Scratch study("choices");
+  SampleStudy options;
+  write_sample_study(study.path(), options);
+  {
+    Store store = Store::open(study.path() + "/results.sqlite");
+    for (Evaluation e : store.all()) {
+      e.result["choices"] = {{"/bow/family", 7}, {"/bow/kind", "=1+1"}};
+      store.put(e);
+    }
+  }
+  write_table_reports(study.path());
+  const auto rows = parse_csv(read_text_file(study.path() + "/ranking.csv"));
+  REQUIRE(rows.size() > 1);
+  auto fields = row_named(rows, rows[1].at(1));
+  CHECK(fields.count("/bow/family") == 0);
+  CHECK(fields["/bow/kind"] == "'=1+1");
+}
+
 TEST_CASE("ranking.md has the verdict, a row for each ranked design and the reasons of the others") {
   const Scratch study("md");
   SampleStudy options;

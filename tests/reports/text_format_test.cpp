@@ -4,12 +4,20 @@
 #include <cmath>
 #include <limits>
 
+#include "base/csv_cell.h"
+
 namespace icebow {
 
 TEST_CASE("text becomes HTML, CSV and Markdown that says the same") {
   CHECK(html_escaped("<a href=\"x\">&'") == "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
-  CHECK(csv_field("plain") == "plain");
-  CHECK(csv_field("a,\"b\"") == "\"a,\"\"b\"\"\"");
+  CHECK(csv_cell("plain") == "plain");
+  CHECK(csv_cell("a,\"b\"") == "\"a,\"\"b\"\"\"");
+  // No spreadsheet takes them for formulas.
+  CHECK(csv_cell("=HYPERLINK(\"x\")") == "\"'=HYPERLINK(\"\"x\"\")\"");
+  for (const char* formula : {"=1", "+1", "-1", "@SUM(A1)", "\t=1"})
+    CHECK(csv_cell(formula) == "'" + std::string(formula));
+  CHECK(csv_cell("1=1") == "1=1");
+  CHECK(csv_cell("") == "");
   CHECK(markdown_escaped("a|b*c\nd") == "a\\|b\\*c d");
 }
 

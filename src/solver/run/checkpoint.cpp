@@ -10,8 +10,10 @@
 #include <limits>
 #include <vector>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/json.h"
+#include "base/json_fields.h"
 #include "base/parallel_file.h"
 #include "base/printable.h"
 #include "base/text.h"
@@ -159,6 +161,15 @@ void save_checkpoint(const Communicator& comm, const std::string& path, const st
 
 namespace {
 
+// Why the rest of `run` is not looked at: what it holds differs from version to version. Empty where it can
+// be.
+std::string other_version(const Json& run) {
+  const Json& format = part_at(run, "/format");
+  if (format == format_version) return "";
+  return "is of another version of the program (its format is " + shortened(format.dump(), 20) +
+         ", that of this program " + std::to_string(format_version) + ")";
+}
+
 std::int64_t count_at(const Json& run, const char* key, double most = most_whole) {
   const Json& value = run.at(key);
   const std::string trouble = std::string(key) + " is no count";
@@ -174,7 +185,8 @@ std::string why_not_resumable(const Communicator& comm, const std::string& path,
   try {
     ParallelFile file = ParallelFile::open(comm, path);
     const Json run = parse_json(file.read_text("run"), "run");
-    if (run.at("format") != format_version) return "is of another version of the program";
+    const std::string other = other_version(run);
+    if (!other.empty()) return other;
     const std::string difference = case_difference(file.read_text("case"), case_text);
     if (!difference.empty()) return "is of another run: " + difference;
     if (run.at("precision_bytes") != precision) return "was computed in another floating-point precision";
@@ -184,7 +196,7 @@ std::string why_not_resumable(const Communicator& comm, const std::string& path,
                   static_cast<long long>(last_step));
   } catch (const std::exception& error) {  // the same on every rank: all have read the same
     if (damaged) *damaged = true;
-    return std::string("is not a whole checkpoint (") + error.what() + ")";
+    return std::string("is not a whole checkpoint (") + in_words(error) + ")";
   }
   return "";
 }
@@ -199,7 +211,10 @@ struct Lists {
 };
 
 Lists read_lists(ParallelFile& file) {
-  return {parse_json(file.read_text("run"), "run"), load_history(file), file.read_list<double>("touches"),
+  Json run = parse_json(file.read_text("run"), "run");
+  const std::string other = other_version(run);
+  if (!other.empty()) throw RuntimeError("it " + other);
+  return {std::move(run), load_history(file), file.read_list<double>("touches"),
           file.read_list<double>("cracked_columns"), file.read_list<double>("dropped_ice")};
 }
 
@@ -235,11 +250,11 @@ void load_checkpoint(const Communicator& comm, const std::string& path, RunState
     try {
       restore(comm, lists, run);
     } catch (const std::exception& error) {
-      trouble = error.what();
+      trouble = in_words(error);
     }
     fail_together(comm, trouble);
   } catch (const std::exception& error) {
-    throw DamagedCheckpoint(path + " cannot be continued: " + error.what() +
+    throw DamagedCheckpoint(path + " cannot be continued: " + in_words(error) +
                             "; remove it, or start the run anew with --restart");
   }
 }

@@ -31,7 +31,7 @@ class Combination {
   void replace_loads(Json& part, const std::string& pointer) const {
     if (!part.is_object()) return;
     for (const auto& item : part.items()) {
-      const std::string at = pointer + "/" + item.key();
+      const std::string at = (Json::json_pointer(pointer) / item.key()).to_string();
       if (item.value().is_object()) replace_loads(part[item.key()], at);
       if (ends_in(item.key(), "_N")) part[item.key()] = finite_or_null(load(item.key(), at));
     }
@@ -128,7 +128,8 @@ std::vector<ScenarioLoad> scenario_loads(const Json& result) {
     if (!std::isfinite(load.mean))
       load.mean = number_at(one, result_key::cycle_load),
       load.ci95 = number_at(one, result_key::cycle_load_ci95);
-    if (!std::isfinite(load.mean)) load.mean = number_at(one, result_key::lindqvist_total);
+    if (!std::isfinite(load.mean))
+      load.mean = number_at(one, result_key::lindqvist_breaking);  // what is ranked
     loads.push_back(load);
   }
   return loads;

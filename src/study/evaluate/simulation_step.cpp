@@ -1,6 +1,7 @@
 #include "study/evaluate/simulation_step.h"
 
 #include "base/collective.h"
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "geometry/quad_mesh.h"
 #include "solver/run/simulation.h"
@@ -58,8 +59,8 @@ struct Simulated {
   std::string reason;  // why there is no run; empty where there is one
 };
 
-// A scenario that cannot be run is the design's fault, and so is one too large for the memory; a full disk is
-// not.
+// A scenario that cannot be run is the design's fault; a full disk and memory that is short are the
+// machine's.
 Simulated simulated(DesignWork& work) {
   Simulated done;
   std::string error;
@@ -71,8 +72,8 @@ Simulated simulated(DesignWork& work) {
     done.run =
         simulate(work.comm, scaled(work.hull.mesh, 1.0 / work.given().lambda), scenario, run_options(work));
   } catch (const std::exception& e) {
-    error = *e.what() ? e.what() : "an exception without a message";
-    machine = dynamic_cast<const RuntimeError*>(&e) != nullptr;
+    error = *e.what() ? in_words(e) : "an exception without a message";
+    machine = is_of_machine(e);
   }
   if (!work.comm.any(!error.empty())) return done;
   done.reason = work.comm.broadcast(error);

@@ -42,17 +42,33 @@ std::string finer_cycle(const Case& c) {
          " --set /cycle/voyages=" + std::to_string(2 * c.cycle.voyages);
 }
 
+// The cycle instead of the formula or beside programs.
+std::string by_cycle(const Json& document) {
+  Json evaluators = part_at(document, document_key::evaluators);
+  if (!evaluators.is_array()) evaluators = {"lindqvist"};
+  evaluators.push_back("cycle");
+  return " --set " + word("/evaluators=" + evaluators.dump()) + " --set /ranking/by=mean_load";
+}
+
+// Nothing where it cannot be finer.
+std::string finer_options(const Design& design) {
+  const Case& c = *design.given;
+  if (design.asked.peridynamics) return finer_lattice(design.document, c);
+  return design.asked.cycle ? finer_cycle(c) : by_cycle(design.document);
+}
+
+// A program, and several conditions but for the simulation, are evaluated by `icebow run` alone.
 Json commands_for(const std::string& directory, const Design& design) {
   const std::string rest = " " + word(directory) + " --design " + word(design.name);
-  const Case& c = *design.given;
-  if (design.asked.peridynamics) {
-    const std::string finer = finer_lattice(design.document, c);
-    return {
-        {"again", "icebow simulate" + rest + " --out again"},
-        {"finer", finer.empty() ? Json(nullptr) : Json("icebow simulate" + rest + finer + " --out finer")}};
+  const std::string options = finer_options(design);
+  const bool simulated = design.asked.peridynamics, programs = !design.asked.programs.empty();
+  if (programs || simulated || !design.given->scenarios.empty()) {
+    const std::string command = (simulated && !programs ? "icebow simulate" : "icebow run") + rest;
+    return {{"again", command + " --out again"},
+            {"finer", options.empty() ? Json(nullptr) : Json(command + options + " --out finer")}};
   }
   if (design.asked.cycle)
-    return {{"again", "icebow cycle" + rest}, {"finer", "icebow cycle" + rest + finer_cycle(c)}};
+    return {{"again", "icebow cycle" + rest}, {"finer", "icebow cycle" + rest + options}};
   return {{"again", "icebow resistance" + rest}, {"finer", "icebow cycle" + rest}};
 }
 

@@ -117,10 +117,10 @@ DesignCost cost_of(const Design& design, double seconds) {
 
 }  // namespace
 
-StudyCost study_cost(const StudySpec& spec, const StudyPlan& plan, double seconds) {
+StudyCost design_cost(const StudySpec& spec, Design design, double seconds) {
   StudyCost cost;
-  count(cost, spec, plan);
-  Design design = baseline_of(spec);
+  cost.designs = spec.use_peridynamics ? spec.repeats : 1;
+  cost.confirmations = spec.confirm.given() ? spec.repeats : 0;
   cost.programs = !design.asked.programs.empty();
   design.asked.programs.clear();
   if (spec.confirm.given()) design.asked.peridynamics = false;
@@ -131,6 +131,12 @@ StudyCost study_cost(const StudySpec& spec, const StudyPlan& plan, double second
   } catch (const RuntimeError& error) {
     cost.unknown = error.what();
   }
+  return cost;
+}
+
+StudyCost study_cost(const StudySpec& spec, const StudyPlan& plan, double seconds) {
+  StudyCost cost = design_cost(spec, baseline_of(spec), seconds);
+  count(cost, spec, plan);
   return cost;
 }
 

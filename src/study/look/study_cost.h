@@ -15,13 +15,17 @@ struct DesignCost {
 };
 
 struct StudyCost {
-  std::string unknown;      // why nothing could be measured, in words; empty where it was
-  DesignCost design;        // of the plan and of its method
-  int designs = 0;          // of these at most, repeats and what a method may still propose included
+  std::string unknown;  // why nothing could be measured, in words; empty where it was
+  DesignCost design;    // of the plan and of its method
+  int designs = 0;      // of these at most, repeats and what a method may still propose included; of a race,
+                        // first legs
   DesignCost confirmation;  // a simulation that follows a sweep of the cycle
   int confirmations = 0;    // of these
   bool programs = false;    // programs of the user's own evaluate as well: their time is not in it
 };
+
+// The same of one design, its repeats by the study included.
+StudyCost design_cost(const StudySpec& spec, Design design, double seconds);
 
 // Evaluates the file's own design: the formula and the cycle to their end, a simulation for `seconds` after
 // the hull and the ice are made, which takes some seconds more. Of a simulation only the first steps are

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/json_fields.h"
+#include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
 #include "study/spec/design_name.h"
@@ -27,12 +28,17 @@ Json asked_differently(const Json& first, const Json& second) {
 
 using Rows = std::map<std::string, RankedDesign>;
 
+// What a point of a method is known by: its numbers and its words.
+std::string point_of(const Evaluation& e) {
+  return Json{parameters_json(e.parameters), part_at(e.result, result_key::choices)}.dump();
+}
+
 // What a design is known by in both.
 Rows rows_of(const Ranking& ranking) {
   Rows rows;
   for (const RankedDesign& row : ranking.rows) {
     const Evaluation& e = row.evaluation;
-    rows[is_numbered_name(e.name) ? parameters_json(e.parameters).dump() : e.name] = row;
+    rows[is_numbered_name(e.name) ? point_of(e) : e.name] = row;
   }
   return rows;
 }
@@ -47,6 +53,7 @@ Json study_diff(const std::string& first, const std::string& second) {
   const Store a = open_store_of(first), b = open_store_of(second);
   const Ranking ranked_a = stored_ranking(a), ranked_b = stored_ranking(b);
   const Rows rows_a = rows_of(ranked_a), rows_b = rows_of(ranked_b);
+  const bool one_number = ranked_a.rank_by == ranked_b.rank_by;
   Json diff = {{"study", asked_differently(document_of(a), document_of(b))},
                {"rank_by", {ranked_a.rank_by, ranked_b.rank_by}},
                {"designs", Json::array()},
@@ -57,9 +64,10 @@ Json study_diff(const std::string& first, const std::string& second) {
     if (other == rows_b.end()) {
       diff["only_first"].push_back(row.evaluation.name);
     } else {
-      diff["designs"].push_back({{"first", side(row)},
-                                 {"second", side(other->second)},
-                                 {"ratio", finite_or_null(other->second.value / row.value)}});
+      diff["designs"].push_back(
+          {{"first", side(row)},
+           {"second", side(other->second)},
+           {"ratio", one_number ? finite_or_null(other->second.value / row.value) : Json(nullptr)}});
     }
   }
   for (const auto& [known_by, row] : rows_b)

@@ -1,8 +1,13 @@
 #include "study/look/study_table.h"
 
-#include <map>
+#include <cmath>
 #include <set>
 
+#include "base/communicator.h"
+#include "base/csv_cell.h"
+#include "base/errors.h"
+#include "base/json_words.h"
+#include "base/parallel_file.h"
 #include "study/evaluate/evaluation.h"
 #include "study/evaluate/result_keys.h"
 #include "study/look/stored_design.h"
@@ -22,38 +27,63 @@ void collect(const Json& part, const std::string& pointer, Numbers& numbers) {
   for (const auto& [key, value] : part.items()) collect(value, pointer + "/" + key, numbers);
 }
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string cells(const Numbers& numbers, const std::set<std::string>& columns) {
+// One line's cells of some columns.
+std::string cells(const std::map<std::string, std::vector<double>>& columns, std::size_t k) {
   std::string line;
-  for (const std::string& column : columns) {
-    const auto found = numbers.find(column);
-    line += "," + (found == numbers.end() ? std::string() : Json(found->second).dump());
-  }
+  for (const auto& [column, numbers] : columns)
+    line += "," + (std::isfinite(numbers[k]) ? Json(numbers[k]).dump() : std::string());
   return line;
 }
 
-struct Line {
-  std::string head;
-  Numbers parameters, results;
-};
-
-Line line_of(const Json& row) {
-  Line line;
-  for (const char* key : {"design", "status", "reason"})
-    line.head += cell(row.at(key).get<std::string>()) + ",";
-  line.head += std::to_string(row.at("rank").get<int>());
-  if (row.contains("front")) line.head += "," + row.at("front").get<std::string>();
-  for (const auto& [pointer, value] : row.at("parameters").items())
-    if (value.is_number()) line.parameters[pointer] = value.get<double>();
-  for (const auto& [part, value] : row.at("result").items())
-    if (part != "parameters") collect(value, "/" + part, line.results);
+std::string cells(const std::map<std::string, std::vector<std::string>>& columns, std::size_t k) {
+  std::string line;
+  for (const auto& [column, words] : columns) line += "," + csv_cell(words[k]);
   return line;
+}
+
+// The list of a column, as long as there are designs.
+template <class T>
+std::vector<T>& list_of(std::map<std::string, std::vector<T>>& columns, const std::string& column,
+                        std::size_t designs, const T& none) {
+  std::vector<T>& list = columns[column];
+  if (list.empty()) list.assign(designs, none);
+  return list;
+}
+
+void add(StudyColumns& columns, std::size_t k, const Json& row, std::size_t designs) {
+  for (const char* key : {"design", "status", "reason", "front"})
+    if (row.contains(key))
+      list_of(columns.texts, key, designs, std::string())[k] = row.at(key).get<std::string>();
+  columns.ranks.push_back(row.at("rank").get<int>());
+  for (const auto& [pointer, value] : row.at("parameters").items())
+    if (value.is_number())
+      list_of(columns.parameters, pointer, designs, double(NAN))[k] = value.get<double>();
+  for (const auto& [pointer, word] : words_at(row.at("result"), result_key::choices))
+    list_of(columns.choices, pointer, designs, std::string())[k] = word;
+  Numbers numbers;
+  for (const auto& [part, value] : row.at("result").items())
+    if (part != "parameters") collect(value, "/" + part, numbers);
+  for (const auto& [pointer, value] : numbers)
+    list_of(columns.results, pointer, designs, double(NAN))[k] = value;
+}
+
+// Lists below a group, by their pointers; the groups between are made.
+template <class T, class Write>
+void write_below(ParallelFile& file, const std::string& group,
+                 const std::map<std::string, std::vector<T>>& columns, const Write& write) {
+  std::set<std::string> groups;
+  file.group(group);
+  for (const auto& [pointer, list] : columns) {
+    for (std::size_t end = pointer.find('/', 1); end != std::string::npos; end = pointer.find('/', end + 1)) {
+      const std::string part = pointer.substr(0, end);
+      if (columns.count(part) > 0)
+        throw InputError(part +
+                         ": is a number in one design and has parts in another, for which HDF5 has no "
+                         "column; take --csv");
+      if (groups.insert(part).second) file.group(group + part);
+    }
+    write(group + pointer, list);
+  }
 }
 
 }  // namespace
@@ -78,22 +108,43 @@ Json study_table(const std::string& directory) {
   return table;
 }
 
+StudyColumns study_columns(const Json& table) {
+  StudyColumns columns;
+  for (std::size_t k = 0; k < table.size(); ++k) add(columns, k, table[k], table.size());
+  return columns;
+}
+
 std::string study_csv(const Json& table) {
-  std::vector<Line> lines;
-  std::set<std::string> parameters, results;
-  for (const Json& row : table) {
-    lines.push_back(line_of(row));
-    for (const auto& [column, value] : lines.back().parameters) parameters.insert(column);
-    for (const auto& [column, value] : lines.back().results) results.insert(column);
-  }
-  std::string csv = "design,status,reason,rank";
-  if (!table.empty() && table[0].contains("front")) csv += ",front";
-  for (const std::string& column : parameters) csv += "," + cell(column);
-  for (const std::string& column : results) csv += "," + cell("result:" + column);
+  const StudyColumns columns = study_columns(table);
+  const bool two = !table.empty() && table[0].contains("front");
+  std::string csv = std::string("design,status,reason,rank") + (two ? ",front" : "");
+  for (const auto& [column, words] : columns.choices) csv += "," + csv_cell("choice:" + column);
+  for (const auto& [column, numbers] : columns.parameters) csv += "," + csv_cell(column);
+  for (const auto& [column, numbers] : columns.results) csv += "," + csv_cell("result:" + column);
   csv += "\r\n";
-  for (const Line& line : lines)
-    csv += line.head + cells(line.parameters, parameters) + cells(line.results, results) + "\r\n";
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    for (const char* key : {"design", "status", "reason"}) csv += csv_cell(columns.texts.at(key)[k]) + ",";
+    csv += std::to_string(columns.ranks[k]) + (two ? "," + columns.texts.at("front")[k] : "") +
+           cells(columns.choices, k) + cells(columns.parameters, k) + cells(columns.results, k) + "\r\n";
+  }
   return csv;
+}
+
+void write_study_hdf5(const Json& table, const std::string& path) {
+  const StudyColumns columns = study_columns(table);
+  ParallelFile file = ParallelFile::create(Communicator::serial(), path);
+  const auto write_numbers = [&](const std::string& name, const std::vector<double>& numbers) {
+    file.write_list(name, numbers);
+  };
+  const auto write_words = [&](const std::string& name, const std::vector<std::string>& words) {
+    file.write_texts(name, words);
+  };
+  for (const auto& [name, words] : columns.texts) file.write_texts(name, words);
+  file.write_list("rank", columns.ranks);
+  write_below(file, "choices", columns.choices, write_words);
+  write_below(file, "parameters", columns.parameters, write_numbers);
+  write_below(file, "results", columns.results, write_numbers);
+  file.close();
 }
 
 }  // namespace icebow

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/stop_signal.h"
 #include "study/evaluate/progress_json.h"
@@ -76,13 +77,12 @@ int evaluate_design_child(const Communicator& comm, const std::vector<std::strin
     if (comm.is_root()) std::cout << trouble_line(error.what()) << std::endl;
     if (comm.is_root()) std::cerr << error.what() << std::endl;
     return 2;
-  } catch (const RuntimeError& error) {  // of every rank; the disk may be full, so not by the log alone
-    if (comm.is_root()) std::cout << trouble_line(error.what()) << std::endl;
-    std::cerr << error.what() << std::endl;
-    return machine_trouble_code;
   } catch (const std::exception& error) {
-    std::cerr << error.what() << std::endl;
-    return 1;
+    // The machine's trouble is every rank's; the disk may be full, so it is not told by the log alone.
+    const bool machine = is_of_machine(error);
+    if (machine && comm.is_root()) std::cout << trouble_line(in_words(error)) << std::endl;
+    std::cerr << in_words(error) << std::endl;
+    return machine ? machine_trouble_code : 1;
   }
 }
 

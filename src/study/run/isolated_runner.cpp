@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/child_process.h"
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "study/evaluate/evaluation_key.h"
 #include "study/evaluate/progress_json.h"
@@ -142,9 +143,13 @@ Evaluation IsolatedRunner::evaluated_here(const Design& design, const std::strin
 
 void IsolatedRunner::take_quick(std::vector<Evaluation>& ended) {
   for (auto quick = quick_.begin(); quick != quick_.end();) {
-    const bool over = quick->wait_for(milliseconds(0)) == std::future_status::ready;
-    if (over) ended.push_back(quick->get());
-    quick = over ? quick_.erase(quick) : quick + 1;
+    if (quick->wait_for(milliseconds(0)) != std::future_status::ready) {
+      ++quick;
+      continue;
+    }
+    std::future<Evaluation> over = std::move(*quick);  // where get() throws, none is left to be waited for
+    quick = quick_.erase(quick);
+    ended.push_back(over.get());
   }
 }
 
@@ -289,7 +294,7 @@ Evaluation IsolatedRunner::result_of(const Job& job) const {
   try {
     e = evaluation_from_json(read_json_file(path));
   } catch (const std::exception& error) {
-    throw RuntimeError(path + " cannot be read: " + error.what() +
+    throw RuntimeError(path + " cannot be read: " + in_words(error) +
                        "; the same command evaluates the design again");
   }
   std::filesystem::remove(path);

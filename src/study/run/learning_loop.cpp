@@ -75,8 +75,8 @@ class LearningLoop {
 // A record that cannot be read is a search that begins anew, from the evaluations that are there.
 void LearningLoop::take_up() {
   try {
-    record_ = Json::parse(store_.fact(fact_name), nullptr, false);
-  } catch (const RuntimeError&) {
+    record_ = parse_json(store_.fact(fact_name), fact_name);
+  } catch (const std::exception&) {
     record_ = nullptr;
   }
   const std::string now = identity(spec_);

@@ -63,7 +63,6 @@ class Race {
   std::vector<PlannedDesign> next_legs();
   std::map<std::string, double> sailed() const;
   double spent() const;
-  double longest(const Case& c) const;
   void keep() { store_.set_fact(fact_name, json_text(to_json(record_))); }
 
   const StudySpec& spec_;
@@ -158,11 +157,6 @@ void Race::judge() {
   record_.legs.push_back(judged);
 }
 
-double Race::longest(const Case& c) const {
-  if (spec_.decide.longest > 0.0) return spec_.decide.longest;
-  return c.steady_from + default_longest * (c.advance - c.steady_from);
-}
-
 // Empty where nothing may be sailed on; the record then says why.
 std::vector<PlannedDesign> Race::next_legs() {
   std::vector<std::pair<const Racer*, double>> legs;  // how much farther
@@ -170,7 +164,7 @@ std::vector<PlannedDesign> Race::next_legs() {
   for (std::size_t i = 0; i < racers_.size(); ++i) {
     const Racer& racer = racers_[i];
     const Case& c = *racer.planned->design.given;
-    const double target = std::min(next_leg(c.steady_from, racer.sailed), longest(c));
+    const double target = std::min(next_leg(c.steady_from, racer.sailed), longest_voyage(spec_.decide, c));
     if (!standing_.sail_on[i] || !racer.can_go_on || target <= racer.sailed * rounding) continue;
     legs.emplace_back(&racer, target - racer.sailed);
     price += racer.core_hours * (target - racer.sailed) / racer.sailed;
@@ -193,6 +187,11 @@ std::vector<PlannedDesign> Race::next_legs() {
 }
 
 }  // namespace
+
+double longest_voyage(const Decide& decide, const Case& c) {
+  if (decide.longest > 0.0) return decide.longest;
+  return c.steady_from + default_longest * (c.advance - c.steady_from);
+}
 
 RaceRecord run_race(const StudySpec& spec, Store& store, const std::vector<PlannedDesign>& designs,
                     const RaceHooks& hooks) {

@@ -26,6 +26,9 @@ struct RaceHooks {
 RaceRecord run_race(const StudySpec& spec, Store& store, const std::vector<PlannedDesign>& designs,
                     const RaceHooks& hooks);
 
+// How far the race may sail a voyage at most, full scale [m].
+double longest_voyage(const Decide& decide, const Case& c);
+
 // The race of the store's present study; a record without a race where there is none, or it is damaged.
 RaceRecord read_race(const Store& store);
 void forget_race(Store& store);

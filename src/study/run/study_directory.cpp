@@ -1,5 +1,7 @@
 #include "study/run/study_directory.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "base/errors.h"
@@ -59,6 +61,16 @@ std::string known_fact(const Store& store, const std::string& name) {
   }
 }
 
+// The study that was run here; null where there was none or it cannot be read.
+Json known_document(const Store& store) {
+  try {
+    const std::string text = known_fact(store, "study");
+    return text.empty() ? Json() : parse_json(text, "the study that was run");
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
 void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings) {
   if (known_fact(store, "created").empty()) store.set_fact("created", utc_now());
   store.set_fact("study", json_text(spec.document));
@@ -87,13 +99,13 @@ StudyDirectory open_study_directory(const StudySpec& given, const RunSettings& s
       Store::open((directory / "results.sqlite").string(), Journal::automatic, std::move(waiting)),
       {},
       given};
-  const std::string before = known_fact(opened.store, "study");
-  if (!before.empty()) opened.spec = continued_from(given, Json::parse(before, nullptr, false));
+  const Json before = known_document(opened.store);
+  if (!before.is_null()) opened.spec = continued_from(given, before);
   const StudySpec& spec = opened.spec;
   const std::string extension = words_on_extension(given, spec);
   if (!extension.empty()) opened.notes.push_back(extension);
   write_copy(spec, directory / "study.json", known);
-  if (!before.empty() && before != json_text(spec.document)) {
+  if (!before.is_null() && json_text(before) != json_text(spec.document)) {
     opened.notes.push_back(
         "the study file has changed since this directory was last run: designs that it does not "
         "change are taken from the store, and the ranking lists those of the present file");
@@ -106,7 +118,8 @@ Crashes crashes_of(const Evaluation& running, const std::string& study_directory
   Crashes crashes;
   const Json& row = running.result;
   if (row.is_object() && row.contains("crashes") && row.at("crashes").is_number_integer())
-    crashes.count = row.at("crashes").get<int>();
+    crashes.count =
+        static_cast<int>(std::clamp<std::int64_t>(row.at("crashes").get<std::int64_t>(), 0, 1000));
   if (row.is_object() && row.contains("last_crash") && row.at("last_crash").is_string())
     crashes.last = row.at("last_crash").get<std::string>();
   const std::string mark = crash_mark_in(design_directory(study_directory, running.name));

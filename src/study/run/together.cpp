@@ -1,5 +1,6 @@
 #include "study/run/together.h"
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "study/run/crash_mark.h"
 #include "study/run/failure.h"
@@ -41,7 +42,7 @@ Evaluation evaluate_together(const Communicator& comm, const EvaluateFunction& e
   try {
     result = evaluate(comm, design, options);
   } catch (const std::exception& e) {
-    error = std::string("evaluating ") + design.name + ": " + e.what();
+    error = std::string("evaluating ") + design.name + ": " + in_words(e);
   }
   if (!comm.any(!error.empty())) return result;
   throw RuntimeError(error.empty() ? "evaluating " + design.name + " failed on another rank" : error);

@@ -11,6 +11,7 @@ constexpr const char* operation = "/operation";
 constexpr const char* solver = "/solver";
 constexpr const char* solver_seed = "/solver/seed";
 constexpr const char* constraints = "/constraints";
+constexpr const char* evaluators = "/evaluators";
 constexpr const char* scenarios = "/scenarios";
 constexpr const char* over_scenarios = "/ranking/over_scenarios";
 constexpr const char* second_objective = "/ranking/by/1";  // a word, a pointer, or an object with "by"
@@ -22,9 +23,9 @@ constexpr const char* method_variables = "/method/variables";
 constexpr const char* method_samples = "/method/samples";
 constexpr const char* method_extends = "/method/extends";
 
-constexpr const char* all[] = {
-    name,           purpose, operation,   solver,           solver_seed,    constraints,   scenarios,
-    over_scenarios, method,  method_type, method_variables, method_samples, method_extends};
+constexpr const char* all[] = {name,        evaluators,       purpose,        operation,      solver,
+                               solver_seed, constraints,      scenarios,      over_scenarios, method,
+                               method_type, method_variables, method_samples, method_extends};
 
 // Inside one entry of a list above.
 constexpr const char* constraint_at = "/at";

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "base/errors.h"
+#include "base/file_kind.h"
 #include "base/json.h"
 #include "base/sha256.h"
 
@@ -57,7 +58,7 @@ class RecentHulls {
 
  private:
   static Stamp stamp_of(const std::string& file) {
-    if (!fs::is_regular_file(file)) throw InputError(file + ": no such file");
+    if (!fs::is_regular_file(file)) throw InputError(file + ": " + why_no_file(file));
     return {fs::last_write_time(file), fs::file_size(file)};
   }
 

@@ -54,8 +54,8 @@ void check_decide(const StudySpec& spec, Mistakes& mistakes) {
         "needs \"peridynamics\" in /evaluators, whose voyages are sailed on; the cycle has /cycle/voyages");
   if (spec.method.type == MethodType::optimise)
     mistake("/decide",
-            "decides between designs that are known: the method must be list, grid or "
-            "latin_hypercube, not optimise");
+            "decides between designs that are known, not optimise, which proposes as it goes: take a method "
+            "like grid or latin_hypercube");
   if (spec.second.given())
     mistake("/ranking/by", "gives two objectives, but /decide decides by one load: drop one of them");
   if (spec.repeats > 1)
@@ -70,6 +70,10 @@ void check_decide(const StudySpec& spec, Mistakes& mistakes) {
   if (spec.baseline.stop_when_ci95_below > 0.0)
     mistake("/operation/stop_when_ci95_below",
             "ends each run by itself, but with /decide the race says how far each sails: drop it");
+  if (spec.decide.longest > 0.0 && spec.decide.longest < spec.baseline.advance)
+    mistake("/decide/longest_m", "is " + brief(spec.decide.longest) + " m, less than the first leg of " +
+                                     brief(spec.baseline.advance) +
+                                     " m: give that of /operation/advance or more, or shorten the advance");
   if (!(spec.baseline.sheet.window_ahead > 0.0))
     mistake("/decide",
             "needs a window that moves with the ship, so that a voyage can be sailed on: give "

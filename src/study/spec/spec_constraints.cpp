@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/json_fields.h"
 #include "study/spec/spec_hints.h"
@@ -9,12 +10,119 @@
 namespace icebow {
 namespace {
 
+const std::string process_of_cycle = "/cycle/process/";  // too many to be listed
+
+// As study/evaluate/result_json.h writes them.
+const std::vector<std::string> metrics = {"mean_load_N",
+                                          "mean_load_ci95_N",
+                                          "max_load_N",
+                                          "q95_load_N",
+                                          "std_load_N",
+                                          "vertical_mean_N",
+                                          "vertical_max_N",
+                                          "vertical_mean_ci95_N",
+                                          "channel_width_m",
+                                          "broken_volume_m3",
+                                          "crushed_volume_m3",
+                                          "steady_from_m",
+                                          "steady_to_m",
+                                          "samples",
+                                          "effective_samples",
+                                          "drift/relative",
+                                          "drift/p",
+                                          "broken_bonds",
+                                          "bonds",
+                                          "mean_damage",
+                                          "floes",
+                                          "channel_width_over_beam",
+                                          "lambda",
+                                          "resolution_bias/relative",
+                                          "resolution_bias/ci95"};
+constexpr std::size_t at_full_scale = 13;  // of these, the first ones
+const std::vector<std::string> hydrostatics = {"displacement_kg",
+                                               "volume_m3",
+                                               "wetted_area_m2",
+                                               "waterplane_area_m2",
+                                               "block_coefficient",
+                                               "waterplane_coefficient",
+                                               "draft_m",
+                                               "length_m",
+                                               "beam_m",
+                                               "KB_m",
+                                               "LCB_m",
+                                               "TCB_m",
+                                               "LCF_m",
+                                               "I_T_m4",
+                                               "I_L_m4",
+                                               "BM_T_m",
+                                               "BM_L_m",
+                                               "KM_T_m"};
+const std::vector<std::string> lindqvist = {
+    "breaking_N", "total_N",      "crushing_N",        "bending_N",       "submersion_N",
+    "inputs/L_m", "inputs/B_m",   "inputs/T_m",        "inputs/stem_deg", "inputs/waterline_deg",
+    "inputs/h_m", "inputs/V_m_s", "inputs/sigma_f_Pa", "inputs/E_Pa",     "inputs/nu",
+    "inputs/mu",  "inputs/rho_i", "inputs/rho_w",      "inputs/g"};
+const std::vector<std::string> cycle = {"mean_load_N",
+                                        "mean_load_ci95_N",
+                                        "ci95_series_N",
+                                        "ci95_voyages_N",
+                                        "crushing_N",
+                                        "bending_N",
+                                        "friction_N",
+                                        "submersion_N",
+                                        "water_N",
+                                        "breaking_length_m",
+                                        "breaking_length_over_characteristic",
+                                        "contact_width_m",
+                                        "channel_width_m",
+                                        "submersion_depth_m",
+                                        "under_bottom_share",
+                                        "pieces",
+                                        "voyages",
+                                        "voyage_m",
+                                        "wall_s",
+                                        "same_way/mean_load_N",
+                                        "same_way/ci95_N",
+                                        "same_way/from_m",
+                                        "same_way/to_m"};
+const std::vector<std::string> margins = {"g1", "g2", "g3", "g4", "g5", "g6", "g7", "g8", "g9", "g10"};
+
+std::vector<std::string> all_numbers() {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& part, const std::vector<std::string>& names, std::size_t first) {
+    for (std::size_t k = 0; k < std::min(first, names.size()); ++k) all.push_back(part + names[k]);
+  };
+  add("/hull/margins/", margins, margins.size());
+  add("/hydrostatics/", hydrostatics, hydrostatics.size());
+  add("/lindqvist/", lindqvist, lindqvist.size());
+  add("/cycle/", cycle, cycle.size());
+  for (const char* part : {"/metrics/", "/cycle/metrics/"}) {
+    add(part, metrics, metrics.size());
+    add(std::string(part) + "full_scale/", metrics, at_full_scale);
+  }
+  return all;
+}
+
+bool begins_with(const std::string& text, const std::string& part) {
+  return text.size() > part.size() && text.compare(0, part.size(), part) == 0;
+}
+
+// Empty where a result has it. `part` is the first word of the pointer, with its slashes.
+std::string unknown_number(const std::string& at, const std::string& part) {
+  std::vector<std::string> names;
+  for (const std::string& known : numbers_of_results()) {
+    if (known == at || begins_with(at, process_of_cycle)) return "";
+    if (begins_with(known, part)) names.push_back(known.substr(part.size()));
+  }
+  return "which is no number of a result" + did_you_mean(at.substr(part.size()), names) + "; below " +
+         part.substr(0, part.size() - 1) + " are " + listed(names);
+}
+
 double bound(const Json& entry, const char* key, double none, const std::string& at, Mistakes& mistakes) {
   if (!entry.contains(key)) return none;
   const Json& value = entry.at(key);
   if (value.is_number()) return value.get<double>();
-  mistakes.push_back({at + "/" + key, "is " + shown(value) + ", must be a number" +
-                                          (value.is_string() ? number_meant(value.get<std::string>()) : "")});
+  mistakes.push_back({at + "/" + key, "is " + shown(value) + ", must be a number" + number_meant_by(value)});
   return none;
 }
 
@@ -48,22 +156,26 @@ ResultConstraint parse_constraint(const Json& entry, const std::string& at, cons
 
 }  // namespace
 
+const std::vector<std::string>& numbers_of_results() {
+  static const std::vector<std::string> all = all_numbers();
+  return all;
+}
+
 std::string lacking_number(const StudySpec& spec, const std::string& at) {
-  const auto below = [&](const std::string& part) {
-    return at.size() > part.size() && at.rfind(part, 0) == 0;
-  };
-  if (below("/hull/margins/") || below("/hydrostatics/")) return "";
-  if (below("/lindqvist/")) return spec.use_lindqvist ? "" : "needs \"lindqvist\" in /evaluators";
-  if (below("/cycle/")) return spec.use_cycle ? "" : "needs \"cycle\" in /evaluators";
-  if (below("/metrics/"))
-    return spec.use_cycle || spec.use_peridynamics ? ""
-                                                   : "needs \"cycle\" or \"peridynamics\" in /evaluators";
+  const bool loads = spec.use_cycle || spec.use_peridynamics;
+  const std::vector<std::pair<std::string, std::string>> parts = {
+      {"/hull/margins/", ""},
+      {"/hydrostatics/", ""},
+      {"/lindqvist/", spec.use_lindqvist ? "" : "needs \"lindqvist\" in /evaluators"},
+      {"/cycle/", spec.use_cycle ? "" : "needs \"cycle\" in /evaluators"},
+      {"/metrics/", loads ? "" : "needs \"cycle\" or \"peridynamics\" in /evaluators"}};
+  for (const auto& [part, lacks] : parts)
+    if (begins_with(at, part)) return lacks.empty() ? unknown_number(at, part) : lacks;
   for (const ProgramEvaluator& program : spec.programs)
-    if (below("/programs/" + program.name + "/")) return "";
-  if (below("/programs/")) return "needs a program of that name in /evaluators";
+    if (begins_with(at, "/programs/" + program.name + "/")) return "";
+  if (begins_with(at, "/programs/")) return "needs a program of that name in /evaluators";
   return "must be the pointer of a number in a result, below /hull/margins, /hydrostatics, /lindqvist, "
-         "/cycle, "
-         "/metrics/full_scale or /programs/NAME";
+         "/cycle, /metrics/full_scale or /programs/NAME";
 }
 
 void parse_constraints(const Json& document, StudySpec& spec, Mistakes& mistakes) {

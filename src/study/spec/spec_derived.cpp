@@ -29,6 +29,18 @@ std::string pointer_of(std::string name) {
   return "/" + name;
 }
 
+// muParser knows "a = 1", which would change a number on the way.
+bool assigns(const std::string& expression) {
+  for (std::size_t i = 0; i < expression.size(); ++i) {
+    if (expression[i] != '=') continue;
+    const bool two = i + 1 < expression.size() && expression[i + 1] == '=';
+    const bool compares = i > 0 && std::string("<>!").find(expression[i - 1]) != std::string::npos;
+    if (!two && !compares) return true;
+    i += two;
+  }
+  return false;
+}
+
 class Derivation {
  public:
   Derivation(Json& document, Mistakes& mistakes)
@@ -71,6 +83,10 @@ class Derivation {
   }
 
   double evaluated(const std::string& pointer, const std::string& expression) {
+    if (assigns(expression)) {
+      mistake(pointer, "has a =, which sets nothing here: " + expression + "; give what stands behind it");
+      return NAN;
+    }
     try {
       mu::Parser parser;
       parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
@@ -83,7 +99,13 @@ class Derivation {
         numbers[name] = number;
       }
       for (auto& [name, number] : numbers) parser.DefineVar(name, &number);
-      const double value = parser.Eval();
+      int values = 0;
+      const double value = parser.Eval(values)[values - 1];
+      if (values != 1) {
+        mistake(pointer, "gives " + std::to_string(values) +
+                             " numbers, for a comma parts them: " + expression + "; write a decimal point");
+        return NAN;
+      }
       if (!std::isfinite(value)) mistake(pointer, "gives no number here: " + expression);
       return value;
     } catch (const mu::Parser::exception_type& error) {

@@ -128,8 +128,8 @@ void check_program(const Json& entry, const std::string& at, Mistakes& mistakes)
                               ", must be a list of words, the program first, like [\"python3\", "
                               "\"yard.py\"]; files are looked for from the study file's directory"});
   if (!limit.is_number() || !(limit.get<double>() > 0.0 && limit.get<double>() <= 1e8))
-    mistakes.push_back(
-        {at + "/time_limit_s", "is " + shown(limit) + ", must be a number, allowed above 0 to 1e+08 s"});
+    mistakes.push_back({at + "/time_limit_s", "is " + shown(limit) + ", must be a number" +
+                                                  number_meant_by(limit) + ", allowed above 0 to 1e+08 s"});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -17,23 +18,57 @@ std::string in_small_letters(std::string word) {
   return word;
 }
 
-// What other tools call it.
-std::string synonym(const std::string& word) {
+// What other tools call it, in small letters and with _ between words.
+std::string synonym(std::string word) {
+  for (char& c : word)
+    if (c == ' ' || c == '-') c = '_';
   static const std::map<std::string, std::string> ours = {{"lhs", "latin_hypercube"},
                                                           {"lhc", "latin_hypercube"},
                                                           {"latin", "latin_hypercube"},
+                                                          {"random", "latin_hypercube"},
+                                                          {"monte_carlo", "latin_hypercube"},
+                                                          {"montecarlo", "latin_hypercube"},
                                                           {"factorial", "grid"},
                                                           {"full_factorial", "grid"},
                                                           {"sweep", "grid"},
+                                                          {"oat", "one_at_a_time"},
+                                                          {"ofat", "one_at_a_time"},
+                                                          {"one_factor_at_a_time", "one_at_a_time"},
+                                                          {"ccd", "central_composite"},
+                                                          {"response_surface", "central_composite"},
+                                                          {"bbd", "box_behnken"},
+                                                          {"quasi_random", "sobol"},
+                                                          {"lp_tau", "sobol"},
+                                                          {"elementary_effects", "morris"},
+                                                          {"screening", "morris"},
+                                                          {"csv", "table"},
                                                           {"optimization", "optimise"},
                                                           {"subplex", "sbplx"},
-                                                          {"nelder-mead", "neldermead"},
                                                           {"nelder_mead", "neldermead"},
                                                           {"simplex", "neldermead"},
                                                           {"direct", "direct_l"},
                                                           {"crs", "crs2_lm"},
+                                                          {"random_search", "crs2_lm"},
+                                                          {"evolution_strategy", "isres"},
+                                                          {"cma_es", "isres"},
+                                                          {"genetic", "esch"},
+                                                          {"ga", "esch"},
+                                                          {"evolutionary", "esch"},
+                                                          {"differential_evolution", "esch"},
+                                                          {"newuoa", "bobyqa"},
+                                                          {"ei", "expected_improvement"},
+                                                          {"ego", "expected_improvement"},
+                                                          {"bo", "expected_improvement"},
+                                                          {"bayes", "expected_improvement"},
+                                                          {"bayesian", "expected_improvement"},
+                                                          {"bayesian_optimization", "expected_improvement"},
+                                                          {"bayesian_optimisation", "expected_improvement"},
+                                                          {"gp", "expected_improvement"},
+                                                          {"gaussian_process", "expected_improvement"},
+                                                          {"kriging", "expected_improvement"},
                                                           {"formula", "lindqvist"},
-                                                          {"simulation", "peridynamics"}};
+                                                          {"simulation", "peridynamics"},
+                                                          {"pd", "peridynamics"}};
   const auto found = ours.find(word);
   return found == ours.end() ? "" : found->second;
 }
@@ -91,9 +126,10 @@ std::string number_meant(const std::string& text) {
   std::string number = text;
   std::replace(number.begin(), number.end(), ',', '.');
   char* end = nullptr;
-  std::strtod(number.c_str(), &end);
+  const double value = std::strtod(number.c_str(), &end);
   const bool plain = number.find_first_not_of("+-.0123456789eE") == std::string::npos;
-  const bool whole = plain && number.size() < 40 && *end == '\0' && end != number.c_str();
+  const bool whole =
+      plain && number.size() < 40 && *end == '\0' && end != number.c_str() && std::isfinite(value);
   if (!whole) return "";
   // JSON asks for a digit on both sides of the point and has no plus.
   if (number[0] == '+') number.erase(0, 1);
@@ -103,6 +139,10 @@ std::string number_meant(const std::string& text) {
   if (point != std::string::npos && (point + 1 == number.size() || !std::isdigit(number[point + 1])))
     number.insert(point + 1, "0");
   return " (write " + number + ")";
+}
+
+std::string number_meant_by(const Json& value) {
+  return value.is_string() ? number_meant(value.get<std::string>()) : "";
 }
 
 std::string brief(double value) {

@@ -126,6 +126,18 @@ void check_algorithm(const Section& section, const Method& method, Mistakes& mis
   }
 }
 
+// An optimiser would make the ice thin rather than the bow good.
+void check_of_the_ship(const Method& method, Mistakes& mistakes) {
+  for (const Variable& v : method.variables) {
+    if (v.pointer.rfind("/bow/", 0) == 0 || v.pointer.rfind("/hull/", 0) == 0) continue;
+    mistakes.push_back(
+        {"/method/variables",
+         "has " + v.pointer +
+             ", but an optimiser varies the ship alone, numbers of bow or hull: "
+             "take grid or another sample for what it does, or /scenarios for several conditions"});
+  }
+}
+
 // Some keys are those of expected_improvement alone, and one is not.
 void check_learning(const Json& method, const Method& parsed, Mistakes& mistakes) {
   const bool learns = parsed.algorithm == learning_algorithm;
@@ -243,6 +255,7 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
   const MethodInfo& type = type_named(name);
   if (type.name != name) return method;  // a wrong type: nothing sensible can be said of the rest
   method.type = type.type;
+  const std::size_t before = mistakes.size();
   if (is_one_of(type.keys, "samples")) method.samples = section.integer("samples");
   if (is_one_of(type.keys, "replace_infeasible"))
     method.replace_infeasible = section.boolean("replace_infeasible");
@@ -257,6 +270,7 @@ Method parse_method(const Json& document, Mistakes& mistakes) {
     method.max_evaluations = section.integer("max_evaluations");
     method.tolerance = section.number("tolerance");
     check_algorithm(section, method, mistakes);
+    if (mistakes.size() == before && !document.contains("scenarios")) check_of_the_ship(method, mistakes);
     check_learning(document.at("method"), method, mistakes);
     method.learning = parse_learning(document, section);
   }

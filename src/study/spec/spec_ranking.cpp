@@ -28,7 +28,8 @@ std::string is_given(const std::string& by) {
 std::string fault_of_pointer(const StudySpec& spec, const std::string& by) {
   if (by.size() < 4 || by.compare(by.size() - 2, 2, "_N") != 0)
     return "a number that is no load: the keys of loads end in _N, in newtons at full scale";
-  if (by.rfind("/programs/", 0) != 0) return "";
+  if (by.rfind("/scenarios/", 0) == 0) return "";
+  if (by.rfind("/programs/", 0) != 0) return lacking_number(spec, by);
   const std::string name = by.substr(10, by.find('/', 10) - 10);
   std::vector<std::string> names;
   for (const ProgramEvaluator& program : spec.programs) names.push_back(program.name);
@@ -54,6 +55,13 @@ bool is_pointer(const std::string& by) {
   return !by.empty() && by[0] == '/';
 }
 
+// Where a word has its number.
+std::string pointer_of(const std::string& by) {
+  if (by == "lindqvist_breaking") return "/lindqvist/breaking_N";
+  if (by == "cycle_load") return "/cycle/mean_load_N";
+  return by == "mean_load" ? "/metrics/full_scale/mean_load_N" : by;
+}
+
 void check_second(const StudySpec& spec, const std::string& at, Mistakes& mistakes) {
   const std::string& by = spec.second.by;
   if (by.empty()) return;
@@ -63,7 +71,8 @@ void check_second(const StudySpec& spec, const std::string& at, Mistakes& mistak
                                   "\", which searches for one objective; with two take cobyla"});
   const std::string fault = is_pointer(by) ? lacking_number(spec, by) : fault_of_word(spec, by);
   if (!fault.empty()) mistakes.push_back({at, is_given(by) + fault});
-  if (by == spec.rank_by) mistakes.push_back({at, is_given(by) + "the first objective again; give another"});
+  if (pointer_of(by) == pointer_of(spec.rank_by))
+    mistakes.push_back({at, is_given(by) + "the first objective again; give another"});
 }
 
 // The second entry of a list of two.

@@ -63,8 +63,8 @@ CaseScenario read_scenario(const Json& document, const Json& entry, const std::s
                                           ", must be 1 to 64 letters, digits, spaces or . _ + ( ) -"});
   const Json weight = entry.value("weight", Json(1.0));
   if (!weight.is_number() || !(weight.get<double>() > 0.0 && weight.get<double>() <= 1e6))
-    mistakes.push_back(
-        {at + "/weight", "is " + shown(weight) + ", must be a number, allowed above 0 to 1e+06"});
+    mistakes.push_back({at + "/weight", "is " + shown(weight) + ", must be a number" +
+                                            number_meant_by(weight) + ", allowed above 0 to 1e+06"});
   else
     scenario.weight = weight.get<double>();
   const Json set = entry.value("set", Json::object());

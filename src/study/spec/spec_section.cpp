@@ -139,8 +139,7 @@ double Section::checked_number(const Spelling& found, const Json& value, const s
   const Key& key = *found.key;
   const std::string range = range_in_words(key, *found.unit);
   if (!value.is_number()) {
-    mistake(at, "is " + shown(value) + ", must be a number" +
-                    (value.is_string() ? number_meant(value.get<std::string>()) : "") + ", allowed " + range);
+    mistake(at, "is " + shown(value) + ", must be a number" + number_meant_by(value) + ", allowed " + range);
     return nan;
   }
   const double number = value.get<double>();

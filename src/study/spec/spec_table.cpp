@@ -32,15 +32,17 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-// RFC 4180: cells in double quotes may hold separators and line ends.
-std::vector<Line> lines_of(const std::string& text, char separator) {
+// RFC 4180: cells in double quotes may hold separators and line ends. Throws InputError where one is not
+// closed.
+std::vector<Line> lines_of(const std::string& path, const std::string& text, char separator) {
   std::vector<Line> lines = {{1, {""}}};
   bool quoted = false;
-  std::size_t number = 1;
+  std::size_t number = 1, opened = 1;
   for (const char c : text) {
     number += c == '\n';
     if (c == '"') {
       quoted = !quoted;
+      opened = number;
     } else if (c == separator && !quoted) {
       lines.back().cells.emplace_back();
     } else if (c == '\n' && !quoted) {
@@ -49,11 +51,26 @@ std::vector<Line> lines_of(const std::string& text, char separator) {
       lines.back().cells.back() += c;
     }
   }
+  if (quoted)
+    throw InputError(path + ", line " + std::to_string(opened) + ": has a double quote that is not closed");
   for (Line& line : lines)
     for (std::string& cell : line.cells) cell = trimmed(cell);
   const auto blank = [](const Line& line) { return line.cells.size() == 1 && line.cells[0].empty(); };
   lines.erase(std::remove_if(lines.begin(), lines.end(), blank), lines.end());
   return lines;
+}
+
+// Line ends of Windows and of old Macs as those of Unix.
+std::string with_unix_lines(const std::string& text) {
+  std::string unix;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool before_line_end = i + 1 < text.size() && text[i + 1] == '\n';
+    if (text[i] != '\r')
+      unix += text[i];
+    else if (!before_line_end)
+      unix += '\n';
+  }
+  return unix;
 }
 
 char separator_of(const std::string& text) {
@@ -75,7 +92,8 @@ void read_csv(const std::string& path, Json& method) {
   if (text.rfind("\xef\xbb\xbf", 0) == 0) text.erase(0, 3);
   const std::string no_text = why_no_text(text);
   if (!no_text.empty()) throw InputError(path + ": " + no_text);
-  const std::vector<Line> lines = lines_of(text, separator_of(text));
+  text = with_unix_lines(text);
+  const std::vector<Line> lines = lines_of(path, text, separator_of(text));
   if (lines.size() < 2)
     throw InputError(path + ": has no designs; give a line of pointers and one line a design");
   const Cells& head = lines[0].cells;

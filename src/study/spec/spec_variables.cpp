@@ -113,9 +113,8 @@ class VariableReader {
     const bool number = value.is_number();
     const double x = number ? value.get<double>() : 0.0;
     if (!number || !(x >= lower_in(key, *target_.unit) && x <= upper_in(key, *target_.unit))) {
-      mistake(below, "is " + shown(value) + (number ? "" : ", must be a number") +
-                         (value.is_string() ? number_meant(value.get<std::string>()) : "") + ", allowed " +
-                         range_in_words(key, *target_.unit));
+      mistake(below, "is " + shown(value) + (number ? "" : ", must be a number") + number_meant_by(value) +
+                         ", allowed " + range_in_words(key, *target_.unit));
       return NAN;
     }
     if (key.quantity == Quantity::integer && std::floor(x) != x) {

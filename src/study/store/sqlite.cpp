@@ -27,6 +27,10 @@ std::string what_to_do(int code) {
       return "; the file is damaged: put a copy of it in its place, or move it away and run the study's "
              "command "
              "again, which evaluates its designs anew";
+    case SQLITE_IOERR:
+      return "; the disk, or a limit on sizes of files (ulimit -f, a quota), does not allow it: see to that "
+             "and run the "
+             "same command again";
     case SQLITE_NOTADB:
       return "; this is not a result store of icebow";
     case SQLITE_READONLY:
@@ -48,6 +52,16 @@ std::string immutable_uri(const std::string& path) {
     }
   }
   return uri + "?immutable=1";
+}
+
+// SQLite opens whatever has these names, and waits for ever at a pipe.
+void refuse_what_is_no_file(const std::string& path) {
+  for (const char* ending : {"", "-journal", "-wal", "-shm"}) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path + ending, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+      throw RuntimeError(path + ending + ": is a pipe, a directory or a device, and no file; remove it");
+  }
 }
 
 }  // namespace
@@ -89,12 +103,14 @@ void Database::be_patient() {
 }
 
 Database Database::open(const std::string& path, Waiting waiting) {
+  refuse_what_is_no_file(path);
   Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.patience_->waiting = std::move(waiting);
   return database;
 }
 
 Database Database::open_read_only(const std::string& path) {
+  refuse_what_is_no_file(path);
   Database database(path, SQLITE_OPEN_READONLY);
   sqlite3_busy_timeout(database.handle_, reader_waits_ms);
   const bool readable = sqlite3_exec(database.handle_, "SELECT count(*) FROM sqlite_master", nullptr, nullptr,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/error_words.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/sha256.h"
@@ -101,7 +102,7 @@ Evaluation evaluation(const Row& r, bool digests) {
     e.result = parse_json(r.result, "result");
     return e;
   } catch (const std::exception& error) {
-    return damaged(r, std::string("cannot be read: ") + error.what());
+    return damaged(r, std::string("cannot be read: ") + in_words(error));
   }
 }
 
@@ -115,6 +116,13 @@ void check_is_store(const Database& database, const std::string& path) {
                        ", this one reads " + std::to_string(schema_version) +
                        "); use that version, or choose another directory");
   }
+  // Views, triggers and virtual tables are programs that run when a store is read or written.
+  const std::string program = database.text_of(
+      "SELECT type || ' ' || name FROM sqlite_master WHERE type NOT IN ('table', 'index') OR sql LIKE "
+      "'CREATE VIRTUAL%'");
+  if (!program.empty())
+    throw RuntimeError(path + ": holds a " + shortened(program, 80) +
+                       ", which no store of icebow does: somebody has altered it; choose another directory");
 }
 
 // Pages that are not what SQLite wrote.

@@ -1,4 +1,6 @@
 // Mesh files that are damaged or made to harm: each is refused in words, at once, by what its bytes can hold.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstring>
@@ -144,6 +146,16 @@ TEST_CASE("a word of a hostile file is quoted in part, and printable") {
       refusal("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 \x1b[2J" + std::string(100000, '9') + "\n");
   CHECK(message.size() < 400);
   CHECK(message.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("a pipe or a directory in the place of a mesh is called what it is, at once") {
+  const Scratch scratch;
+  MeshRepairs repairs;
+  const std::string pipe = (scratch.path / "a.ply").string(), folder = (scratch.path / "a.obj").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  std::filesystem::create_directory(folder);
+  CHECK_THROWS_WITH(read_mesh(pipe, repairs), Catch::Contains(pipe) && Catch::Contains("is a pipe"));
+  CHECK_THROWS_WITH(read_mesh(folder, repairs), Catch::Contains(folder) && Catch::Contains("is a directory"));
 }
 
 TEST_CASE("a panel that touches itself is split or refused; it does not take all of the memory") {

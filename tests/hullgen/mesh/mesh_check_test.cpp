@@ -45,6 +45,11 @@ TEST_CASE("a lid left open, a panel turned over, a third panel on an edge") {
   QuadMesh turned = cube();
   turn_over(turned, 2);
   CHECK_FALSE(check_mesh(turned).valid_polygon_mesh);
+  // Its four edges run twice the same way; the first of them by its points is that of the points 0 and 1.
+  CHECK(
+      check_mesh(turned).reason() ==
+      "the mesh is not an oriented manifold surface: neighbouring panels that face opposite ways: 4, one at "
+      "(0.5, 0, 0) m");
 
   QuadMesh fin = cube();
   fin.points.push_back(Vec3(2.0, 0.0, 0.0));
@@ -52,6 +57,31 @@ TEST_CASE("a lid left open, a panel turned over, a third panel on an edge") {
   fin.patch.push_back(Patch::other);
   CHECK_FALSE(check_mesh(fin).valid_polygon_mesh);
   CHECK(check_mesh(fin).triangles == 1);
+  CHECK_THAT(check_mesh(fin).reason(),
+             Catch::Contains("edges of three panels or more: 1, one at (0.5, 0, 0) m"));
+}
+
+TEST_CASE("cubes that touch in a point, a diagonal along another panel's edge") {
+  QuadMesh two = cube();
+  for (int k = 1; k < 8; ++k) two.points.push_back(-two.points[static_cast<std::size_t>(k)]);
+  const auto mirrored = [](int corner) { return corner == 0 ? 0 : 7 + corner; };
+  for (int q = 0; q < 6; ++q) {
+    const auto [a, b, c, d] = two.quads[static_cast<std::size_t>(q)];
+    two.quads.push_back({mirrored(a), mirrored(d), mirrored(c), mirrored(b)});
+    two.patch.push_back(Patch::other);
+  }
+  CHECK(
+      check_mesh(two).reason() ==
+      "the mesh is not an oriented manifold surface: points in which surfaces touch: 1, one at (0, 0, 0) m");
+
+  // A flat rhomb, one side a quad that is split along the diagonal where the two triangles of the other side
+  // meet.
+  QuadMesh rhomb;
+  rhomb.points = {Vec3(0, 0, 0), Vec3(0.5, -1, 0), Vec3(1, 0, 0), Vec3(0.5, 1, 0)};
+  rhomb.quads = {{0, 1, 2, 3}, {0, 2, 1, 1}, {0, 3, 2, 2}};
+  rhomb.patch.assign(3, Patch::other);
+  CHECK_THAT(check_mesh(rhomb).reason(),
+             Catch::Contains("edges of three panels or more: 1, one at (0.5, 0, 0) m"));
 }
 
 TEST_CASE("normals inward") {
@@ -75,14 +105,15 @@ TEST_CASE("a corner pushed through the opposite face intersects") {
 TEST_CASE("broken input is reported, not a crash") {
   QuadMesh index = cube();
   index.quads[0][0] = 99;
-  CHECK_FALSE(check_mesh(index).ok());
+  CHECK_THAT(check_mesh(index).reason(), Catch::Contains("a corner beyond the last point"));
   QuadMesh nan = cube();
   nan.points[0].x() = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(check_mesh(nan).ok());
+  CHECK_THAT(check_mesh(nan).reason(), Catch::Contains("no finite number"));
   QuadMesh repeated = cube();
   repeated.quads[0] = {0, 2, 0, 1};
-  CHECK_FALSE(check_mesh(repeated).ok());
-  CHECK_FALSE(check_mesh(QuadMesh()).ok());
+  CHECK_THAT(check_mesh(repeated).reason(),
+             Catch::Contains("panels with a corner twice: 1, one at (0, 0, 0) m"));
+  CHECK_THAT(check_mesh(QuadMesh()).reason(), Catch::Contains("it has no panels"));
 }
 
 TEST_CASE("warp of a quad with one corner lifted") {

@@ -441,6 +441,35 @@ TEST_CASE("a count in a checkpoint that is no count is damage") {
   }
 }
 
+TEST_CASE("a checkpoint of another version, or without its counts, is told in words wherever it is read") {
+  const Communicator& world = test_world();
+  const TestFolder folder(world, "versions");
+  const std::string path = folder.file("checkpoint.h5");
+  const auto written = [&](const std::string& run) {
+    ParallelFile file = ParallelFile::create(world, path);
+    file.write_text("run", run);
+    file.write_text("case", "V = 1");
+    for (const char* list : {"history", "touches", "cracked_columns", "dropped_ice"})
+      file.write_list(list, std::vector<double>());
+    file.write_list("history_counts", std::vector<std::int64_t>());
+    file.close();
+  };
+  Run run(world, slow());
+  RunState state = run.state();
+  for (const char* format : {"5", "null", "\"6\"", "{}"}) {
+    INFO(format);
+    written(std::string(R"({"format":)") + format + "}");
+    const std::string words = std::string("of another version of the program (its format is ") + format +
+                              ", that of this program 6)";
+    CHECK_THAT(why_not_resumable(world, path, "V = 1", 4, 100), Catch::Contains("is " + words));
+    CHECK_THROWS_WITH(load_checkpoint(world, path, state),
+                      Catch::Contains(path) && Catch::Contains(words) && Catch::Contains("remove it"));
+  }
+  written(R"({"format":6,"precision_bytes":4})");
+  CHECK(why_not_resumable(world, path, "V = 1", 4, 100) ==
+        "is not a whole checkpoint (key 'steps' not found)");
+}
+
 TEST_CASE("the share of linear ice is that of the whole run, on any ranks and after an interruption") {
   const Communicator& world = test_world();
   Files files(world);

@@ -1,6 +1,7 @@
 // One design from its document to its files, with the real hull and the real solver on a coarse, short run.
 #include "study/evaluate/evaluate.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -13,6 +14,7 @@
 #include "study/evaluate/scenario_result.h"
 #include "study/spec/case_hull.h"
 #include "study/spec/spec_case.h"
+#include "study/spec/spec_constraints.h"
 #include "tests/support/fake_study.h"
 #include "tests/support/main.h"
 
@@ -208,6 +210,35 @@ TEST_CASE("a directory that cannot be written is the machine's fault, on every r
   EvaluateOptions options;
   options.directory = "/proc/no/such/place";
   CHECK_THROWS_AS(evaluated("{}", options), RuntimeError);
+}
+
+// Pointers of all numbers of a part of a result, also of those that are not known.
+void list_numbers(const Json& part, const std::string& at, std::vector<std::string>& pointers) {
+  if (part.is_number() || part.is_null()) pointers.push_back(at);
+  if (!part.is_object()) return;
+  for (const auto& item : part.items()) list_numbers(item.value(), at + "/" + item.key(), pointers);
+}
+
+TEST_CASE("the numbers that a study file may name are those of a result") {
+  const Json r =
+      evaluated(R"({"evaluators": ["lindqvist", "cycle"], "cycle": {"voyage_m": 40, "voyages": 2}})").result;
+  std::vector<std::string> there;
+  for (const char* part : {"/hull/margins", "/hydrostatics", "/lindqvist", "/cycle", "/metrics"})
+    list_numbers(part_at(r, part), part, there);
+  StudySpec spec;
+  spec.use_lindqvist = spec.use_cycle = true;
+  for (const std::string& pointer : there) {
+    CAPTURE(pointer);
+    const bool list = part_at(r, pointer).is_null() && pointer.find("/list") != std::string::npos;
+    CHECK((list || lacking_number(spec, pointer).empty()));
+  }
+  for (const std::string& pointer : numbers_of_results()) {
+    CAPTURE(pointer);
+    const bool of_some_families = pointer.rfind("/hull/margins/", 0) == 0;
+    const bool of_confirmed_studies = pointer.rfind("/cycle/same_way/", 0) == 0;
+    CHECK((of_some_families || of_confirmed_studies ||
+           std::find(there.begin(), there.end(), pointer) != there.end()));
+  }
 }
 
 TEST_CASE("the breaking cycle alone has the fields of a simulation, the same on every rank") {

@@ -77,6 +77,12 @@ TEST_CASE("half widths are of independent scenarios; a largest load stays the la
   CHECK(combined(one_missing, false).at("metrics").at("full_scale").at("mean_load_N").is_null());
 }
 
+TEST_CASE("loads whose names are no pointers are means too") {
+  const auto printed = [](double load) { return Json{{"programs", {{"yard", {{"a~b/c_N", load}}}}}}; };
+  const Json mean = combined({{"a", 1.0, printed(10)}, {"b", 3.0, printed(20)}}, false);
+  CHECK(mean.at("programs").at("yard").at("a~b/c_N") == 17.5);
+}
+
 TEST_CASE("samples behind a mean over scenarios are Welch's; those of the worst are its own") {
   const auto result = [](double load, double ci95, double samples) {
     return Json{{"metrics",

@@ -101,6 +101,10 @@ TEST_CASE("hydrostatics of a formula study are of its mesh, and what is stored w
 TEST_CASE("mistakes in constraints are told by pointer") {
   CHECK(
       pointer_of_mistake(R"({"constraints": [{"at": "/hydrostatics/displacement_kg", "min": 1}]})").empty());
+  for (const char* none : {"/lindqvist/braking_N", "/lindqvist/reason", "/hydrostatics/displacement",
+                           "/hull/margins/g99", "/metrics/full_scale/mean_load"})
+    CHECK(pointer_of_mistake(std::string(R"({"constraints": [{"max": 1, "at": ")") + none + R"("}]})") ==
+          "/constraints/0/at");
   CHECK(pointer_of_mistake(R"({"constraints": [{"at": "/bow/stem_deg", "min": 1}]})") == "/constraints/0/at");
   CHECK(pointer_of_mistake(R"({"constraints": [{"at": "/cycle/mean_load_N", "min": 1}]})") ==
         "/constraints/0/at");

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <map>
 #include <thread>
 
 #include "base/child_process.h"
@@ -60,6 +61,18 @@ TEST_CASE("a crash costs the design that crashed, and says why") {
   CHECK_THAT(read_text_file(directory / "s/designs/chatty/log.txt"), Catch::Contains("a library says hello"));
   CHECK(read_json_file(directory / "s/designs/crash/result.json").at("status") == "failed");
   CHECK(of(observer, "good").result.at("metrics").at("full_scale").at("mean_load_N") == fake_load(20, 22));
+}
+
+TEST_CASE("a fault of the machine in a design without a simulation ends the study with its sentence") {
+  const TemporaryDirectory directory;
+  RunSettings settings = isolated(directory / "s");
+  settings.evaluate = [](const Communicator&, const Design&, const EvaluateOptions&) -> Evaluation {
+    throw RuntimeError("the disk is full");
+  };
+  RecordingObserver observer;
+  const StudySpec spec = fake_study(R"({"evaluators": ["cycle"]})");
+  CHECK_THROWS_WITH(run_study(Communicator::serial(), spec, settings, observer),
+                    Catch::Contains("the disk is full"));
 }
 
 TEST_CASE("a hang ends with the time limit") {
@@ -202,7 +215,9 @@ TEST_CASE("designs of several ranks run under mpirun") {
 }
 
 TEST_CASE("what the machine does to a design ends the study in words, and is not the design's failure") {
-  for (const char* name : {"disk full", "killed twice"}) {
+  const std::map<std::string, std::string> said = {
+      {"disk full", "No space left"}, {"killed twice", "signal 9"}, {"no memory", "not enough memory"}};
+  for (const auto& [name, words] : said) {
     for (const int ranks : {1, 2}) {
       CAPTURE(name, ranks);
       const TemporaryDirectory directory;
@@ -211,9 +226,9 @@ TEST_CASE("what the machine does to a design ends the study in words, and is not
       RecordingObserver observer;
       RunSettings settings = isolated(directory / "s");
       settings.jobs = 1;
-      CHECK_THROWS_WITH(run_study(Communicator::serial(), spec, settings, observer),
-                        Catch::StartsWith(name) && Catch::Contains("the same command goes on") &&
-                            Catch::Contains(name == std::string("disk full") ? "No space left" : "signal 9"));
+      CHECK_THROWS_WITH(
+          run_study(Communicator::serial(), spec, settings, observer),
+          Catch::StartsWith(name) && Catch::Contains("the same command goes on") && Catch::Contains(words));
       const auto rows = Store::open_read_only(directory / "s/results.sqlite").everything();
       REQUIRE(rows.size() == 1);
       CHECK(rows[0].name == "baseline");

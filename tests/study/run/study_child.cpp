@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 #include "study/run/evaluate_design_child.h"
@@ -22,6 +23,7 @@ Evaluation misbehave(const Communicator& comm, const Design& design, const Evalu
   if (name == "exit") throw std::runtime_error("a message");
   if (name == "silent") _exit(0);
   if (name == "disk full") throw RuntimeError("cannot write history.csv: No space left on device");
+  if (name == "no memory") throw std::bad_alloc();
   if (name.rfind("killed", 0) == 0) {
     const std::string mark = options.directory + "/../killed_before";
     const bool again = std::filesystem::exists(mark);

@@ -36,6 +36,12 @@ TEST_CASE("a derived number follows the design, its variables and other derived 
   CHECK(plan.designs[3].design.given->bow.D == Approx(8.0 + 33.0 / 6.0));
 }
 
+TEST_CASE("a derived number may compare, and take functions of several numbers") {
+  CHECK(fake_study(R"({"derived": {"/bow/bow_length_m":
+      "bow.beam_m == 23 && bow.draft_m <= 8 ? max(32, 33, 31) : 30"}})")
+            .baseline.bow.Lf == 33.0);
+}
+
 TEST_CASE("an expression that is none, a circle, and what is given twice are mistakes at their place") {
   const auto at_bow_length = [](const std::string& expression) {
     const Mistakes found = mistakes_of(R"({"derived": {"/bow/bow_length_m": ")" + expression + "\"}}");
@@ -47,6 +53,8 @@ TEST_CASE("an expression that is none, a circle, and what is given twice are mis
   CHECK_THAT(at_bow_length("1.5 * bow.baem_m"), Catch::Contains("no number at /bow/baem_m"));
   CHECK_THAT(at_bow_length("bow.bow_length_m + 1"), Catch::Contains("depends on itself"));
   CHECK_THAT(at_bow_length("bow.beam_m / 0"), Catch::Contains("gives no number"));
+  CHECK_THAT(at_bow_length("1,4 * bow.beam_m"), Catch::Contains("gives 2 numbers"));
+  CHECK_THAT(at_bow_length("bow.beam_m = 30"), Catch::Contains("has a ="));
   CHECK(mistakes_of(R"({"derived": {"/bow/reamer_step_m": "1"}})").at(0).message.find("not in this file") !=
         std::string::npos);
   CHECK(mistakes_of(R"({"derived": {"/bow/family": "1"}})").size() == 1);

@@ -174,6 +174,10 @@ TEST_CASE("designs from a table") {
   CHECK_THAT(message(std::string("/bow/stem_deg\n21\0 22\n", 20)), Catch::Contains("zero byte"));
   CHECK_THAT(message("/bow/stem_deg,/bow/stem_deg\n21,22\n"), Catch::Contains("names /bow/stem_deg twice"));
   CHECK_THAT(message("/bow/stem_deg,/ice/thickness_m\n21\n"), Catch::Contains("line 2: has 1 cells"));
+  CHECK(message("/bow/stem_deg,/operation/speed_kn\r21,3\r") ==
+        baseline + "/bow/stem_deg 21;/operation/speed_kn 3;");
+  CHECK_THAT(message("/bow/stem_deg\n\"21\n"),
+             Catch::Contains("line 2: has a double quote that is not closed"));
   CHECK_THAT(message("stem\n21\n"), Catch::Contains("names no column"));
   CHECK_THAT(message("/bow/stem_deg\n95\n"), Catch::Contains("allowed 5 to 85 deg"));
   CHECK_THAT(message("/bow/stm_deg\n21\n"), Catch::Contains("did you mean \"/bow/stem_deg\""));

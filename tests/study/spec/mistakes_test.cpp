@@ -116,12 +116,44 @@ TEST_CASE("reading designs costs in proportion to their number, and a long wrong
         2.0);  // a hundredth of a second; over 30 s by tables of distances
 }
 
+TEST_CASE("an optimiser varies the ship alone") {
+  const auto optimise = [](const std::string& pointer) {
+    return with(R"({"evaluators": ["lindqvist"], "method": {"type": "optimise", "variables": {")" + pointer +
+                R"(": {"min": 0.9, "max": 2}}}})");
+  };
+  for (const char* pointer : {"/ice/thickness_m", "/operation/speed_kn"})
+    CHECK_THAT(only_mistake(optimise(pointer)).message,
+               Catch::Contains(pointer) && Catch::Contains("the ship alone"));
+  CHECK(mistakes_of(with(R"({"evaluators": ["lindqvist"], "method": {"type": "grid", "variables":
+    {"/ice/thickness_m": {"values": [0.5, 1]}}}})"))
+            .empty());
+}
+
+TEST_CASE("a race sails its first leg at the least") {
+  const std::string race = R"({"sheet": {"window_ahead_m": 40}, "operation": {"advance_m": 60}, "decide": )";
+  CHECK(only_mistake(with(race + R"({"longest_m": 59}})")).pointer == "/decide/longest_m");
+  CHECK(mistakes_of(with(race + R"({"longest_m": 60}})")).empty());
+}
+
 TEST_CASE("what other tools and tongues write is answered with what is meant") {
   const auto message = [](const std::string& patch) { return only_mistake(with(patch)).message; };
   const std::string range = R"("variables": {"/bow/stem_deg": {"min": 18, "max": 30}})";
   CHECK_THAT(message(R"({"method": {"type": "lhs"}})"), Catch::Contains("did you mean \"latin_hypercube\""));
   CHECK_THAT(message(R"({"method": {"type": "optimise", "algorithm": "COBYLA", )" + range + "}}"),
              Catch::Contains("did you mean \"cobyla\""));
+  for (const auto& [theirs, ours] :
+       {std::pair("Latin hypercube", "latin_hypercube"), std::pair("random", "latin_hypercube"),
+        std::pair("Monte Carlo", "latin_hypercube"), std::pair("CCD", "central_composite"),
+        std::pair("full factorial", "grid")})
+    CHECK_THAT(message(R"({"method": {"type": ")" + std::string(theirs) + "\"}}"),
+               Catch::Contains("did you mean \"" + std::string(ours) + "\""));
+  for (const auto& [theirs, ours] :
+       {std::pair("Nelder-Mead", "neldermead"), std::pair("EGO", "expected_improvement"),
+        std::pair("Bayesian optimization", "expected_improvement"), std::pair("genetic", "esch")})
+    CHECK_THAT(message(R"({"method": {"type": "optimise", "algorithm": ")" + std::string(theirs) + "\", " +
+                       range + "}}"),
+               Catch::Contains("did you mean \"" + std::string(ours) + "\""));
+  CHECK_THAT(message(R"({"bow": {"stem_deg": "1e999"}})"), !Catch::Contains("write"));
   CHECK_THAT(message(R"({"bow": {"stem_deg": "24,35"}})"), Catch::Contains("write 24.35"));
   CHECK_THAT(message(R"({"bow": {"stem_deg": "steep"}})"), !Catch::Contains("write"));
   CHECK_THAT(

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -360,4 +361,31 @@ TEST_CASE("a name is looked up by an index, in stores of earlier programs too") 
              Catch::Contains("USING") && Catch::Contains("evaluations_by_name"));
   sqlite3_finalize(plan);
   sqlite3_close(database);
+}
+
+TEST_CASE("a pipe in the place of a store, or of what SQLite keeps beside it, keeps nobody waiting") {
+  for (const char* ending : {"", "-journal", "-wal", "-shm"}) {
+    const TemporaryDirectory directory;
+    const std::string path = directory / "r.sqlite";
+    if (*ending) Store::open(path).put(sample("a"));
+    INFO(ending);
+    REQUIRE(mkfifo((path + ending).c_str(), 0600) == 0);
+    CHECK_THAT(message_of_reading(path), Catch::Contains(path + ending + ": is a pipe"));
+    CHECK_THROWS_WITH(Store::open(path), Catch::Contains(path + ending + ": is a pipe"));
+  }
+}
+
+TEST_CASE("a store with a program of somebody's in it is refused before the program runs") {
+  for (const char* sql :
+       {"CREATE TRIGGER gone AFTER INSERT ON evaluations BEGIN DELETE FROM evaluations; END",
+        "CREATE VIEW endless AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) "
+        "SELECT x FROM c"}) {
+    const TemporaryDirectory directory;
+    const std::string path = directory / "r.sqlite";
+    { Store::open(path).put(sample("a")); }
+    change(path, sql);
+    INFO(sql);
+    CHECK_THAT(message_of_reading(path), Catch::Contains("somebody has altered it"));
+    CHECK_THROWS_WITH(Store::open(path), Catch::Contains("somebody has altered it"));
+  }
 }
