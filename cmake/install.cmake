@@ -32,6 +32,7 @@ set(share ${CMAKE_INSTALL_DATADIR})
 install(FILES ${pages}/icebow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/icebow.bash DESTINATION ${share}/bash-completion/completions RENAME icebow COMPONENT program)
 install(FILES ${pages}/_icebow DESTINATION ${share}/zsh/site-functions COMPONENT program)
+install(FILES ${pages}/_icebow DESTINATION ${share}/zsh/vendor-completions COMPONENT program)  # Debian's, of packages
 install(FILES ${pages}/icebow.fish DESTINATION ${share}/fish/vendor_completions.d COMPONENT program)
 install(DIRECTORY studies/ DESTINATION ${share}/icebow/studies COMPONENT program)
 install(DIRECTORY reports/paraview/ DESTINATION ${share}/icebow/paraview COMPONENT program)

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/json_fields.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/load_unit.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
@@ -34,10 +35,10 @@ double run_up_and_steady(const Json& result, double share) {
 
 }  // namespace
 
-double independent_samples(const RankedDesign& row, const std::string& rank_by) {
-  if (rank_by == "lindqvist_breaking" || !is_simulated(row)) return infinite;
-  const double one = number_at(row.evaluation.result, result_key::effective_samples);
-  return std::isfinite(one) ? one * row.runs : infinite;  // an older result does not say
+double independent_samples(const StudyResults& study, const RankedDesign& row) {
+  if (study.ranking.rank_by == "lindqvist_breaking" || !is_simulated(row)) return infinite;
+  const double all = over_runs(study, row.evaluation, result_key::effective_samples, OverRuns::sum);
+  return std::isfinite(all) ? all : infinite;  // an older result does not say
 }
 
 MeanDifference compared_with(const RankedDesign& row, const RankedDesign& other, const std::string& rank_by) {
@@ -52,7 +53,7 @@ TooShort too_short(const StudyResults& study) {
   std::string widest, fewest;
   for (int i = 0; i < ranked; ++i) {
     const RankedDesign& row = study.ranking.rows[static_cast<std::size_t>(i)];
-    const double half = order_ci95(row, by), samples = independent_samples(row, by);
+    const double half = order_ci95(row, by), samples = independent_samples(study, row);
     if (i < 3 && std::isfinite(half) && half > std::fabs(row.value) && widest.empty())
       widest = row.evaluation.name;
     if (i < 3 && samples < fewest_samples && fewest.empty()) fewest = row.evaluation.name;
@@ -65,7 +66,7 @@ TooShort too_short(const StudyResults& study) {
   } else if (!fewest.empty()) {
     const auto row = std::find_if(study.ranking.rows.begin(), study.ranking.rows.end(),
                                   [&](const RankedDesign& r) { return r.evaluation.name == fewest; });
-    result.reason = "the record of " + fewest + " is worth " + fixed(independent_samples(*row, by), 0) +
+    result.reason = "the record of " + fewest + " is worth " + fixed(independent_samples(study, *row), 0) +
                     " independent samples, and " + fixed(fewest_samples, 0) + " are the least";
   }
   if (result.reason.empty()) return result;

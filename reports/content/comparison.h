@@ -12,7 +12,7 @@ namespace icebow {
 MeanDifference compared_with(const RankedDesign& row, const RankedDesign& other, const std::string& rank_by);
 
 // Independent samples of the simulated mean, of all runs together; infinite where the value is no mean.
-double independent_samples(const RankedDesign& row, const std::string& rank_by);
+double independent_samples(const StudyResults& study, const RankedDesign& row);
 
 constexpr double fewest_samples = 10.0;
 

@@ -7,6 +7,7 @@
 
 #include "base/json_fields.h"
 #include "base/units.h"
+#include "reports/content/all_runs.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
 #include "study/spec/document_keys.h"
@@ -104,11 +105,13 @@ void add(std::vector<Fact>& facts, const std::string& label, const std::string& 
 }
 
 std::string seeds_in_words(const StudyResults& study, const Case& c) {
+  const int runs = run_counts(study).most;
+  const std::string last = std::to_string(c.seed + static_cast<unsigned>(runs) - 1);
+  if (c.seed == 0 && runs > 1)
+    return "none in the first run of a design, whose ice starts at rest; 1" +
+           (runs > 2 ? " to " + last + " in the others" : std::string(" in the second"));
   if (c.seed == 0) return "none: the ice starts at rest";
-  int runs = 1;
-  for (const RankedDesign& row : study.ranking.rows) runs = std::max(runs, row.runs);
-  return std::to_string(c.seed) +
-         (runs > 1 ? " to " + std::to_string(c.seed + static_cast<unsigned>(runs) - 1) : "");
+  return std::to_string(c.seed) + (runs > 1 ? " to " + last : "");
 }
 
 // Full scale where nothing else is said.
@@ -148,13 +151,15 @@ void add_simulated(const StudyResults& study, Conditions& found) {
               (model.empty() ? "" : ", " + model_in_words(model)) + ", " + span_in_words(layers, 0, "layers");
 }
 
-const Condition* first_difference(const StudyResults& study) {
+// "Ship speed is 2.00 to 5.00 kn", of each condition that differs.
+std::vector<std::string> differences(const StudyResults& study) {
+  std::vector<std::string> words;
   for (const Condition& c : all_conditions) {
     const Span span = span_of(study, c.pointer, c.factor);
     if (c.of_ship && span.given() && fixed(span.lowest, c.decimals) != fixed(span.highest, c.decimals))
-      return &c;
+      words.push_back(std::string(c.label) + " is " + span_in_words(span, c.decimals, c.unit));
   }
-  return nullptr;
+  return words;
 }
 
 // "0.60 m of 500 kPa at 3 kn"; nothing where it is not known.
@@ -232,9 +237,9 @@ Conditions conditions(const StudyResults& study) {
                  ": their loads are of unlike ices.";
   else if (!found.ice.empty() && scenarios.empty())
     found.ice += formula.empty() ? "." : "; the formula takes " + formula + ".";
-  if (const Condition* c = first_difference(study))
-    found.unlike_ships = std::string("The ranking compares unlike cases: ") + c->label + " is " +
-                         span_in_words(span_of(study, c->pointer, c->factor), c->decimals, c->unit) + ".";
+  const std::vector<std::string> unlike = differences(study);
+  if (!unlike.empty())
+    found.unlike_ships = "The ranking compares unlike cases: " + listed(unlike, unlike.size()) + ".";
   return found;
 }
 

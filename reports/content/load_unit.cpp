@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/text.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/result_keys.h"
 
@@ -39,6 +40,15 @@ LoadUnit load_unit(const Ranking& ranking) {
       if (std::isfinite(load)) largest = std::max(largest, std::abs(load));
   if (largest > 0.0 && largest < 1e5) return {"kN", 1e3, largest < 1e4 ? 2 : 1};
   return {"MN", 1e6, largest < 1e7 ? 3 : 2};
+}
+
+std::string load_number(double value, const LoadUnit& unit) {
+  const bool vanishes = value != 0.0 && std::fabs(value) < 0.5 * std::pow(10.0, -unit.decimals);
+  return vanishes ? text("%.2g", value) : fixed(value, unit.decimals);
+}
+
+std::string load_in_words(double newtons, const LoadUnit& unit) {
+  return load_number(newtons / unit.newtons, unit) + "\u00a0" + unit.name;
 }
 
 std::string with_interval(double value, double half_width, int decimals) {

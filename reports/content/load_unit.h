@@ -16,6 +16,11 @@ struct LoadUnit {
 // MN, or kN where no load reaches 0.1 MN.
 LoadUnit load_unit(const Ranking& ranking);
 
+// "0.812 MN" of newtons; a load too small for the unit's decimals keeps two digits ("0.00012 MN").
+std::string load_in_words(double newtons, const LoadUnit& unit);
+// The same without the unit, of a number in it.
+std::string load_number(double value, const LoadUnit& unit);
+
 // "0.812 ± 0.064", without unit; "0.812" where there is no interval.
 std::string with_interval(double value, double half_width, int decimals);
 // Decimals at which the half width keeps one significant digit (two where it starts with 1), at least

@@ -11,6 +11,7 @@
 #include "study/look/stored_design.h"
 #include "study/plan/confirmation.h"
 #include "study/plan/design_space.h"
+#include "study/plan/model_notes.h"
 #include "study/plan/repeats.h"
 #include "study/spec/document_keys.h"
 #include "study/spec/read_study.h"
@@ -79,7 +80,43 @@ void add_runs(StudyResults& study, const std::vector<Evaluation>& evaluations) {
     if (ok) study.repeats[design].push_back(e);
   }
   for (auto it = study.repeats.begin(); it != study.repeats.end();)
-    it = it->second.size() < 2 ? study.repeats.erase(it) : std::next(it);
+    it = it->second.size() < 2 && it->second.front().name == it->first ? study.repeats.erase(it)
+                                                                       : std::next(it);
+}
+
+bool has_failed(const Evaluation& e) {
+  return e.status == EvaluationStatus::failed || e.status == EvaluationStatus::damaged;
+}
+
+// Runs that failed where their design has a rank all the same, and simulations that were to confirm one.
+void add_lost_runs(StudyResults& study, const std::vector<Evaluation>& evaluations) {
+  std::set<std::string> ranked;
+  for (const RankedDesign& row : study.ranking.rows) {
+    if (row.rank > 0) ranked.insert(row.evaluation.name);
+    study.failed_designs += has_failed(row.evaluation);
+  }
+  for (const Evaluation& e : evaluations) {
+    const RunName run = run_name(e.name);
+    if (!has_failed(e)) continue;
+    const std::string reason = e.reason.empty() ? "." : ": " + e.reason;
+    if (is_confirmation(run.design))
+      study.lost_runs.push_back("A simulation of " + confirmed_design(run.design) + " failed" + reason);
+    else if (ranked.count(run.design) > 0)
+      study.lost_runs.push_back("Run " + std::to_string(run.number) + " of " + run.design +
+                                " failed, and its mean is of the other runs" + reason);
+  }
+}
+
+// Of the simulation, where the study has one.
+void add_notes(StudyResults& study) {
+  try {
+    const StudySpec spec = read_study(study.document, study.name);
+    if (!spec.use_peridynamics) return;
+    for (const std::string& note : model_notes(spec.baseline, spec.confirm.given()))
+      study.notes.push_back("Of the model: " + note);
+  } catch (const std::exception&) {
+    study.notes.clear();  // a study file this program cannot read: the results stand on their own
+  }
 }
 
 // Lists and grids draw no random numbers.
@@ -118,6 +155,8 @@ StudyResults read_study_results(const std::string& directory) {
   study.ranking = stored_ranking(store);
   count_statuses(study, evaluations);
   add_runs(study, evaluations);
+  add_lost_runs(study, evaluations);
+  add_notes(study);
   add_plan(study, evaluations);
   return study;
 }

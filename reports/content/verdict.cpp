@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/json_fields.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"
 #include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
@@ -40,24 +41,37 @@ const RankedDesign* baseline_of(const StudyResults& study) {
 }
 
 // "17 ± 6 % below the baseline": `value` against what it is compared with, with the half width of the
-// difference's interval where there is one.
-std::string apart_in_words(double value, double other, double ci95, const std::string& name) {
+// difference's interval where there is one. Of a number that is not positive there is no percentage.
+std::string apart_in_words(double value, double other, double ci95, const std::string& name,
+                           const LoadUnit& unit) {
+  if (value == other && ci95 == 0.0) return "the same as " + name;
+  if (!(other > 0.0))
+    return load_in_words(std::fabs(value - other), unit) + (value < other ? " below " : " above ") + name;
   const double share = 100.0 * (value / other - 1.0), half = std::fabs(100.0 * ci95 / other);
   const std::string error =
       !(half > 0.0) || !std::isfinite(half) ? "" : "\u00a0\u00b1\u00a0" + fixed(half, half < 0.95 ? 1 : 0);
-  return fixed(std::fabs(share), 0) + error + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
+  const int decimals = ci95 == 0.0 && std::fabs(share) < 0.95 ? 1 : 0;
+  return fixed(std::fabs(share), decimals) + error + "\u00a0% " + (share < 0.0 ? "below " : "above ") + name;
+}
+
+// A number without sampling error: equal ones stay equal however often they are evaluated.
+bool is_exact(const RankedDesign& row, const StudyResults& study) {
+  return compared_with(row, row, study.ranking.rank_by).ci95 == 0.0;
 }
 
 // A race says itself who may be the best.
 std::string tie_clause(const StudyResults& study, int ranked) {
-  if (study.ranking.race.given()) return "";
+  if (study.ranking.race.given() || ranked == 0) return "";
   const int tied = static_cast<int>(std::count_if(
       study.ranking.rows.begin(), study.ranking.rows.begin() + ranked, [&](const RankedDesign& row) {
         return row.rank > 1 &&
                compared_with(row, study.ranking.rows[0], study.ranking.rank_by).p >= told_apart_below;
       }));
   if (tied == 0) return "";
-  return "; " + counted(static_cast<std::size_t>(tied), "other design") + " cannot be told apart from it";
+  const std::string others = "; " + counted(static_cast<std::size_t>(tied), "other design");
+  if (is_exact(study.ranking.rows.front(), study))
+    return others + (tied == 1 ? " has" : " have") + " the same";
+  return others + " cannot be told apart from it";
 }
 
 // The simulations that confirm fix the order, but not the level.
@@ -95,7 +109,15 @@ std::string open_race_clause(const RaceRecord& race) {
   return "; the race is not decided: " + counted(others, "other design") + " may be lower";
 }
 
+// Of one design nothing is the lowest.
+std::string headline_of_one(const StudyResults& study) {
+  const RankedDesign& only = study.ranking.rows.front();
+  return only.evaluation.name + " is the only design with a rank: " + ranked_quantity(study.ranking.rank_by) +
+         over_scenarios(study.document) + ' ' + value_in_words(only, study.ranking) + '.';
+}
+
 std::string headline(const StudyResults& study, int ranked) {
+  if (ranked == 1 && !study.ranking.race.given()) return headline_of_one(study);
   if (ranked > 0) {
     const RankedDesign& best = *best_of(study.ranking);
     const std::string angles = angles_in_words(best, study.ranking);
@@ -110,8 +132,10 @@ std::string headline(const StudyResults& study, int ranked) {
   return "No design could be ranked: no result holds the " + ranked_quantity(study.ranking.rank_by) + '.';
 }
 
-std::string no_order(const TooShort& records) {
-  return "This study does not rank these bows: " + records.reason + ".";
+std::string no_order(const StudyResults& study, const TooShort& records) {
+  return (study.ranked() == 1 ? "This study does not know the load of this bow: "
+                              : "This study does not rank these bows: ") +
+         records.reason + ".";
 }
 
 std::string longer_records(const TooShort& records) {
@@ -161,8 +185,10 @@ std::string next_step(const StudyResults& study, int ranked, const TooShort& rec
   if (ranking.rank_by == "lindqvist_breaking")
     return "The formula knows two of the four angles: add \"cycle\" to \"evaluators\", which sees the whole "
            "hull.";
-  if (!tie_clause(study, ranked).empty())
-    return "Tell the leaders apart: repeat them (\"repeats\") or sail farther (operation.advance_m).";
+  if (!is_exact(ranking.rows.front(), study) && !tie_clause(study, ranked).empty())
+    return std::string("Tell the leaders apart: ") +
+           (run_counts(study).most > 1 ? "repeat them more often" : "repeat them") +
+           " (\"repeats\") or sail farther (operation.advance_m).";
   if (!part_at(ranking.rows.front().evaluation.result, result_key::simulation).is_object())
     return "Put a second evaluator beside it: \"cycle\" in \"evaluators\" sees the whole hull within a "
            "second.";
@@ -226,10 +252,10 @@ void add_cautions(const StudyResults& study, int ranked, std::vector<std::string
 }
 
 void add_missing_remark(const StudyResults& study, std::vector<std::string>& remarks) {
-  if (study.infeasible + study.failed > 0) {
+  if (study.infeasible + study.failed_designs > 0) {
     std::vector<std::string> parts;
     if (study.infeasible > 0) parts.push_back(counted(study.infeasible, "design") + " infeasible");
-    if (study.failed > 0) parts.push_back(counted(study.failed, "design") + " failed");
+    if (study.failed_designs > 0) parts.push_back(counted(study.failed_designs, "design") + " failed");
     remarks.push_back("Not ranked: " + listed(parts, 2) + ", each with its reason below.");
   }
   if (!study.finished()) remarks.push_back(unfinished(study));
@@ -242,6 +268,7 @@ std::string value_in_words(const RankedDesign& row, const Ranking& ranking) {
   const bool per_beam = ranking.rank_by == "mean_load_per_beam";
   const double newtons = per_beam ? 1e3 : unit.newtons;
   const double ci = value_ci95(row, ranking.rank_by) / newtons;
+  if (!std::isfinite(ci) && !per_beam) return load_in_words(row.value, unit);
   const int decimals = decimals_for_interval(ci, per_beam || unit.name == "kN" ? 1 : 2, 3);
   return with_interval(row.value / newtons, ci, decimals) + "\u00a0" + (per_beam ? "kN/m" : unit.name);
 }
@@ -253,9 +280,10 @@ std::string versus_in_words(const RankedDesign& row, const StudyResults& study) 
     other = &study.ranking.rows.front();
     name = other->evaluation.name;
   }
-  if (other == &row || row.evaluation.name == other->evaluation.name || other->value == 0.0) return {};
+  if (other == &row || row.evaluation.name == other->evaluation.name) return {};
   const MeanDifference difference = compared_with(row, *other, study.ranking.rank_by);
-  const std::string apart = apart_in_words(row.value, other->value, difference.ci95, name);
+  const std::string apart =
+      apart_in_words(row.value, other->value, difference.ci95, name, load_unit(study.ranking));
   if (difference.ci95 == 0.0) return apart;  // without sampling error
   if (!std::isfinite(difference.ci95)) return apart + ", by means whose intervals are not known";
   return apart + " (" + p_in_words(difference.p) +
@@ -268,7 +296,7 @@ Verdict verdict(const StudyResults& study) {
   const bool raced = study.ranking.race.given();
   Verdict result;
   result.ranks = ranked > 0 && (records.reason.empty() || raced);
-  result.headline = result.ranks || ranked == 0 ? headline(study, ranked) : no_order(records);
+  result.headline = result.ranks || ranked == 0 ? headline(study, ranked) : no_order(study, records);
   if (raced) result.remarks.push_back(race_in_words(study.ranking.race));
   if (level_is_open(study, ranked)) result.remarks.push_back(open_level(study));
   result.next = next_step(study, ranked, records);
@@ -281,9 +309,16 @@ Verdict verdict(const StudyResults& study) {
   for (const std::string& warning : study.ranking.warnings)
     if (warning.rfind("not told apart", 0) != 0)  // the headline counts them, the table marks each
       result.remarks.push_back(sentence(warning));
-  for (const std::string& words : study.drifts) result.remarks.push_back(words);
+  for (const auto* told : {&study.notes, &study.drifts, &study.lost_runs})
+    for (const std::string& words : *told) result.remarks.push_back(sentence(words));
   add_missing_remark(study, result.remarks);
   return result;
+}
+
+std::string order_in_words(const StudyResults& study) {
+  const TooShort records = too_short(study);
+  if (study.ranked() == 0 || records.reason.empty() || study.ranking.race.given()) return {};
+  return no_order(study, records) + ' ' + longer_records(records);
 }
 
 }  // namespace icebow

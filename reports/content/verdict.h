@@ -18,6 +18,9 @@ struct Verdict {
 // Plain text: escape it before it goes into HTML or Markdown.
 Verdict verdict(const StudyResults& study);
 
+// "This study does not rank these bows: ..., and what would do; empty where the records carry an order.
+std::string order_in_words(const StudyResults& study);
+
 // "0.81 ± 0.06 MN" of the ranked value, with the decimals its interval can bear.
 std::string value_in_words(const RankedDesign& row, const Ranking& ranking);
 // "17 % below the baseline, p = 0.02"; of `row` against the design called baseline, or against the best one

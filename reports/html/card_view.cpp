@@ -6,6 +6,7 @@
 #include "base/json_fields.h"
 #include "base/json_words.h"
 #include "base/units.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"
 #include "reports/html/process_view.h"
 #include "reports/html/table_view.h"
@@ -45,31 +46,10 @@ std::string imported_note(const Json& result) {
   return words + ".";
 }
 
-// All runs of the design: the first where there is one.
-std::vector<Json> runs_of(const ReportContent& content, const RankedDesign& ranked) {
-  std::vector<Json> results;
-  const auto repeats = content.study.repeats.find(ranked.evaluation.name);
-  if (repeats == content.study.repeats.end()) return {ranked.evaluation.result};
-  for (const Evaluation& run : repeats->second) results.push_back(run.result);
-  return results;
-}
-
-enum class OverRuns { mean, highest };
-
-double over_runs(const std::vector<Json>& runs, const std::string& pointer, OverRuns how) {
-  double sum = 0.0, highest = -INFINITY;
-  for (const Json& run : runs) {
-    const double value = number_at(run, pointer);
-    sum += value;
-    highest = std::max(highest, value);
-  }
-  return how == OverRuns::highest ? highest : sum / static_cast<double>(runs.size());
-}
-
 // Of repeated runs all numbers are of all of them: their mean, and their highest peak.
 Json loads_table(const ReportContent& content, const RankedDesign& ranked, double lambda) {
-  const std::vector<Json> runs = runs_of(content, ranked);
-  const Json& first = runs.front();
+  const Json& first = ranked.evaluation.result;
+  const int runs = runs_of(content.study, ranked.evaluation);
   if (!std::isfinite(number_at(first, result_key::model_mean_load))) return nullptr;
   const LoadUnit& unit = content.unit;
   const double to_model = lambda > 1.0 ? 1.0 / std::pow(lambda, 3) : NAN;  // at full scale there is no model
@@ -81,9 +61,11 @@ Json loads_table(const ReportContent& content, const RankedDesign& ranked, doubl
     if (lambda > 1.0) values.push_back(with_interval(newtons * to_model, half * to_model, 1));
     rows.push_back(row_view(name, values));
   };
-  const auto of = [&](const char* key, OverRuns how = OverRuns::mean) { return over_runs(runs, key, how); };
-  if (runs.size() > 1) {
-    add("Mean of " + std::to_string(runs.size()) + " runs, by their scatter", of(result_key::mean_load),
+  const auto of = [&](const char* key, OverRuns how = OverRuns::mean) {
+    return over_runs(content.study, ranked.evaluation, key, how);
+  };
+  if (runs > 1) {
+    add("Mean of " + std::to_string(runs) + " runs, by their scatter", of(result_key::mean_load),
         ranked.ci95_repeats);
     add("The same, by their series", of(result_key::mean_load), ranked.ci95_series);
   } else {
@@ -92,8 +74,7 @@ Json loads_table(const ReportContent& content, const RankedDesign& ranked, doubl
   add("Peak", of(result_key::max_load, OverRuns::highest), NAN);
   add("95\u00a0% quantile", of(result_key::q95_load), NAN);
   add("Standard deviation", of(result_key::std_load), NAN);
-  add("Vertical, mean", of(result_key::vertical_mean),
-      runs.size() > 1 ? NAN : of(result_key::vertical_mean_ci95));
+  add("Vertical, mean", of(result_key::vertical_mean), runs > 1 ? NAN : of(result_key::vertical_mean_ci95));
   const std::string bias = text_at(first, result_key::bias_sentence);
   std::vector<std::string> columns = {"full scale, " + unit.name};
   if (lambda > 1.0) columns.push_back("model, N");
@@ -285,15 +266,11 @@ std::string command(const ReportContent& content, const RankedDesign& ranked) {
                             : content.study.file.empty()       ? content.study.directory + "/study.json"
                                                                : content.study.file;
   const std::string name = ranked.evaluation.name;
-  const bool plain =
-      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") ==
-      std::string::npos;
-  const std::string design = " --design " + (plain ? name : "'" + name + "'");
+  const std::string words = shell_word(study) + " --design " + shell_word(name);
   if (part_at(ranked.evaluation.result, result_key::simulation).is_object())
-    return "icebow simulate " + study + design + " --out out/" + (plain ? name : "design");
-  if (part_at(ranked.evaluation.result, result_key::cycle).is_object())
-    return "icebow cycle " + study + design;
-  return "icebow resistance " + study + design;
+    return "icebow simulate " + words + " --out out/" + (shell_word(name) == name ? name : "design");
+  if (part_at(ranked.evaluation.result, result_key::cycle).is_object()) return "icebow cycle " + words;
+  return "icebow resistance " + words;
 }
 
 std::vector<std::string> cautions(const Json& result) {
@@ -361,6 +338,7 @@ Json card_body_view(const ReportContent& content, std::size_t i) {
       {"has_margins", !margins.empty()},
       {"margins", margins},
       {"fact_lists", fact_lists(ranked, lambda)},
+      {"of_first_run", first_run_in_words(content.study, ranked.evaluation)},
       {"reproduce", command(content, ranked)},
       {"cost", cost(ranked)}};
 }

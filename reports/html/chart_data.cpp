@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/json_fields.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"
 #include "reports/html/front_view.h"
 #include "reports/tables/table_report.h"
@@ -81,14 +82,6 @@ Json outline_json(const std::vector<Vec3>& waterline) {
   return points;
 }
 
-double highest_of_runs(const ReportContent& content, const Evaluation& e, const char* pointer) {
-  double highest = number_at(e.result, pointer);
-  const auto repeats = content.study.repeats.find(e.name);
-  if (repeats != content.study.repeats.end())
-    for (const Evaluation& run : repeats->second) highest = std::max(highest, number_at(run.result, pointer));
-  return highest;
-}
-
 Json design_json(const ReportContent& content, std::size_t i) {
   const RankedDesign& row = content.row(i);
   const DesignContent& design = content.designs[i];
@@ -118,8 +111,8 @@ Json design_json(const ReportContent& content, std::size_t i) {
           {"mean_N", number(row.mean_load)},
           {"record_mean_N", number(mean_of_record(row))},
           {"ci95_N", number(row.mean_load_ci95)},
-          {"max_N", number(highest_of_runs(content, e, result_key::max_load))},
-          {"q95_N", number(number_at(e.result, result_key::q95_load))},
+          {"max_N", number(over_runs(content.study, e, result_key::max_load, OverRuns::highest))},
+          {"q95_N", number(over_runs(content.study, e, result_key::q95_load, OverRuns::mean))},
           {"lindqvist_N", number(row.lindqvist)},
           {"lambda", number(design.lambda)},
           {"angles_deg", angles},

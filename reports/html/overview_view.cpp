@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/content/all_runs.h"
 #include "reports/html/table_view.h"
 #include "reports/text/text_format.h"
 #include "study/evaluate/provenance.h"
@@ -18,7 +19,11 @@ std::string time_in_words(const std::string& iso) {
 }
 
 std::string design_counts(const StudyResults& study) {
-  std::string text = std::to_string(study.evaluated()) + " evaluated: " + std::to_string(study.ok) + " ok";
+  const std::size_t designs = study.ranking.rows.size() - study.running.size();
+  const bool repeated = static_cast<std::size_t>(study.evaluated()) > designs;
+  std::string text = std::to_string(study.evaluated()) +
+                     (repeated ? " runs of " + std::to_string(designs) + " designs: " : " evaluated: ") +
+                     std::to_string(study.ok) + " ok";
   if (study.infeasible > 0) text += ", " + std::to_string(study.infeasible) + " infeasible";
   if (study.failed > 0) text += ", " + std::to_string(study.failed) + " failed";
   if (!study.running.empty()) text += "; " + std::to_string(study.running.size()) + " running";
@@ -58,7 +63,9 @@ Includes includes_of(const StudyResults& study) {
     found.put(c.water.drag > 0.0, "the drag of the water on it");
     found.put(c.numerics.floe_contact, "pieces of ice that push each other");
     found.put(c.sheet.absorbing > 0.0, "damped edges of the sheet");
-    found.put(c.seed > 0, "ice that starts with small random motions");
+    const bool some = c.seed == 0 && run_counts(study).most > 1;
+    found.put(c.seed > 0 || some, "ice that starts with small random motions" +
+                                      std::string(some ? " in all runs of a design but the first" : ""));
   } catch (const std::exception&) {
     // a study file this program cannot read
   }
@@ -130,9 +137,15 @@ void add_formula(const ReportContent& content, Texts& texts) {
 }  // namespace
 
 std::string kicker(const StudyResults& study) {
-  std::string text = "Icebreaker bow study \u00b7 " + std::to_string(study.ranked()) + " designs ranked";
+  const int ranked = study.ranked();
+  std::string text = "Icebreaker bow study \u00b7 " + std::to_string(ranked) +
+                     (ranked == 1 ? " design" : " designs") + " ranked";
+  const RunCounts runs = run_counts(study);
+  if (runs.most > 1 && study.confirmations.empty())
+    text += ", " + (runs.fewest < runs.most ? std::to_string(runs.fewest) + " to " : "") +
+            std::to_string(runs.most) + " runs each";
   if (study.infeasible > 0) text += ", " + std::to_string(study.infeasible) + " infeasible";
-  if (study.failed > 0) text += ", " + std::to_string(study.failed) + " failed";
+  if (study.failed_designs > 0) text += ", " + std::to_string(study.failed_designs) + " failed";
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/json_fields.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"
 #include "reports/content/load_unit.h"
 #include "reports/html/table_view.h"
@@ -87,16 +88,6 @@ double largest_load(const Ranking& ranking) {
   return 1.05 * largest;
 }
 
-// The highest of all runs.
-double peak_of(const ReportContent& content, const RankedDesign& row) {
-  double peak = number_at(row.evaluation.result, result_key::max_load);
-  const auto repeats = content.study.repeats.find(row.evaluation.name);
-  if (repeats != content.study.repeats.end())
-    for (const Evaluation& run : repeats->second)
-      peak = std::max(peak, number_at(run.result, result_key::max_load));
-  return peak;
-}
-
 Json mean_cell(const ReportContent& content, const RankedDesign& row, double lambda) {
   const LoadUnit& unit = content.unit;
   Json json =
@@ -132,10 +123,10 @@ Json cells_of(const ReportContent& content, std::size_t i, const Range ranges[4]
   for (int k = 0; k < 4; ++k)
     cells.push_back(angle_cell(measured_or_requested(row.evaluation.result, angle_names[k]), ranges[k]));
   if (is_own_number(content.study.ranking.rank_by))
-    cells.push_back(cell(row.value, fixed(row.value / unit.newtons, unit.decimals), "num strong"));
+    cells.push_back(cell(row.value, load_number(row.value / unit.newtons, unit), "num strong"));
   if (content.has_loads()) {
     cells.push_back(mean_cell(content, row, content.designs[i].lambda));
-    const double peak = peak_of(content, row);
+    const double peak = over_runs(content.study, row.evaluation, result_key::max_load, OverRuns::highest);
     cells.push_back(cell(peak, fixed(peak / unit.newtons, unit.decimals)));
   }
   if (content.has_lindqvist()) cells.push_back(lindqvist_cell(row, unit));

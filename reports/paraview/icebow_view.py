@@ -160,5 +160,5 @@ def main(words):
     print(picture)
 
 
-if __name__ == "__main__":
+if __name__ in ("__main__", "__vtkconsole__"):  # a macro of ParaView's window has the second name
     main(sys.argv[1:])

@@ -8,6 +8,7 @@
 #include "base/csv_cell.h"
 #include "base/json_fields.h"
 #include "base/json_words.h"
+#include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"
 #include "reports/content/conditions.h"
 #include "reports/content/load_unit.h"
@@ -40,18 +41,33 @@ std::vector<std::string> scenario_names(const Ranking& ranking) {
   return names;
 }
 
+// Computing time of all runs that are ok.
+double wall_seconds(const StudyResults& study, const Evaluation& design) {
+  const auto repeats = study.repeats.find(design.name);
+  if (repeats == study.repeats.end()) return design.wall_seconds;
+  double sum = 0.0;
+  for (const Evaluation& run : repeats->second) sum += run.wall_seconds;
+  return sum;
+}
+
 // `p_best`: how often a mean equal to the best one would look so unlike.
-std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenarios,
+std::string csv_row(const StudyResults& study, const RankedDesign& row, double p_best, std::size_t scenarios,
                     const std::set<std::string>& parameters) {
   const Evaluation& e = row.evaluation;
+  const auto of_runs = [&](const char* pointer, OverRuns how) {
+    return ',' + csv_number(over_runs(study, e, pointer, how));
+  };
   const auto result = [&](const char* pointer) { return ',' + csv_number(number_at(e.result, pointer)); };
   std::string line =
       (row.rank > 0 ? std::to_string(row.rank) : "") + ',' + csv_cell(e.name) + ',' + to_string(e.status);
   for (const char* angle : angles) line += ',' + csv_number(measured_or_requested(e.result, angle));
   line += ',' + csv_number(row.mean_load) + ',' + csv_number(row.mean_load_ci95);
-  line += result(result_key::max_load) + result(result_key::q95_load);
-  line += result(result_key::std_load) + result(result_key::model_mean_load) +
-          result(result_key::model_mean_load_ci95);
+  line += of_runs(result_key::max_load, OverRuns::highest) + of_runs(result_key::q95_load, OverRuns::mean);
+  const double model_mean = over_runs(study, e, result_key::model_mean_load, OverRuns::mean);
+  line += of_runs(result_key::std_load, OverRuns::mean) + ',' + csv_number(model_mean);
+  line += row.runs > 1 && runs_of(study, e) > 1
+              ? ',' + csv_number(row.ci95_repeats * model_mean / row.mean_load)
+              : result(result_key::model_mean_load_ci95);
   line += result(result_key::lindqvist_crushing) + result(result_key::lindqvist_bending) +
           result(result_key::lindqvist_submersion);
   line += ',' + csv_number(row.lindqvist_breaking) + result(result_key::lindqvist_total) + ',' +
@@ -61,10 +77,10 @@ std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenario
       ',' + std::to_string(row.runs) + ',' + csv_number(row.ci95_series) + ',' + csv_number(row.ci95_repeats);
   for (const double load : {row.cycle_load, row.cycle_ci95, row.solver_load, row.solver_ci95})
     line += ',' + csv_number(load);
-  line += ',' + csv_number(p_best) + result(result_key::effective_samples) + ',' +
+  line += ',' + csv_number(p_best) + of_runs(result_key::effective_samples, OverRuns::sum) + ',' +
           csv_cell(text_at(e.result, result_key::lindqvist_caution)) + ',' +
           csv_cell(unlike_ice_words(e.result));
-  line += ',' + csv_number(e.wall_seconds) + ',' + csv_cell(e.reason);
+  line += ',' + csv_number(wall_seconds(study, e)) + ',' + csv_cell(e.reason);
   const std::vector<ScenarioLoad> loads = scenario_loads(e.result);
   for (std::size_t k = 0; k < scenarios; ++k)
     line += ',' + (k < loads.size() ? csv_number(loads[k].mean) : "") + ',' +
@@ -78,7 +94,8 @@ std::string csv_row(const RankedDesign& row, double p_best, std::size_t scenario
 }
 
 // `confirmed`: with what the cycle and the simulation say, of which the mean load is made.
-std::string markdown_row(const RankedDesign& row, const LoadUnit& unit, bool confirmed) {
+std::string markdown_row(const StudyResults& study, const RankedDesign& row, const LoadUnit& unit,
+                         bool confirmed) {
   const Json& result = row.evaluation.result;
   const auto load = [&](double newtons) { return fixed(newtons / unit.newtons, unit.decimals); };
   std::string line =
@@ -90,7 +107,8 @@ std::string markdown_row(const RankedDesign& row, const LoadUnit& unit, bool con
   };
   line += cell(row.mean_load, row.mean_load_ci95);
   if (confirmed) line += cell(row.cycle_load, row.cycle_ci95) + cell(row.solver_load, row.solver_ci95);
-  line += " | " + load(number_at(result, result_key::max_load)) + " | " + load(row.lindqvist);
+  line += " | " + load(over_runs(study, row.evaluation, result_key::max_load, OverRuns::highest)) + " | " +
+          load(row.lindqvist);
   return line + " | " + fixed(row.ratio, 2) + " |\n";
 }
 
@@ -141,7 +159,7 @@ std::string ranking_csv(const StudyResults& study) {
     const bool compared = row.rank > 1;
     const double p =
         compared ? compared_with(row, study.ranking.rows.front(), study.ranking.rank_by).p : std::nan("");
-    text += csv_row(row, p, scenarios.size(), parameters);
+    text += csv_row(study, row, p, scenarios.size(), parameters);
   }
   return text;
 }
@@ -165,7 +183,7 @@ std::string ranking_markdown(const StudyResults& study) {
         unit.name + " | Lindqvist " + compared_part(study.ranking) + ", " + unit.name +
         " | ratio |\n|--:|:--|--:|--:|--:|--:|--:|--:|--:|--:|" + (confirmed ? "--:|--:|" : "") + "\n";
     for (const RankedDesign& row : study.ranking.rows)
-      if (row.rank > 0) text += markdown_row(row, unit, confirmed);
+      if (row.rank > 0) text += markdown_row(study, row, unit, confirmed);
     text +=
         "\nFull scale. \u2248: not told apart from rank 1 (Welch's test, p of 0.05 or more). Ratio: mean "
         "load over "

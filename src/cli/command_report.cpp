@@ -25,7 +25,8 @@ int said_of_damage(const Ranking& ranking) {
 
 int run_rank(const Communicator&, const Arguments& arguments) {
   const Ranking ranking = read_ranking(arguments.positional);
-  std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n" : ranking_text(ranking));
+  std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n"
+                                        : ranking_text(ranking) + order_text(arguments.positional, ranking));
   return said_of_damage(ranking);
 }
 

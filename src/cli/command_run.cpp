@@ -85,7 +85,8 @@ int conclude(const StudyOutcome& outcome, const Arguments& arguments) {
     return exit_code::interrupted;
   }
   const Ranking ranking = read_ranking(directory);
-  std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n" : ranking_text(ranking));
+  std::cout << (arguments.has("--json") ? json_text(to_json(ranking), 2) + "\n"
+                                        : ranking_text(ranking) + order_text(directory, ranking));
   std::cerr << outcome.ok << " ok, " << outcome.infeasible << " infeasible, " << outcome.failed << " failed";
   if (outcome.recalled > 0) std::cerr << ", " << outcome.recalled << " of them stored before";
   std::cerr << "; " << (std::filesystem::path(directory) / "report.html").string() << "\n"

@@ -1,5 +1,6 @@
 #include "cli/ranking_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -8,6 +9,7 @@
 #include "base/json_words.h"
 #include "cli/process_text.h"
 #include "cli/text_table.h"
+#include "reports/content/verdict.h"
 #include "study/evaluate/result_keys.h"
 #include "study/evaluate/scenario_result.h"
 #include "study/look/stored_design.h"
@@ -138,8 +140,10 @@ std::string cautions(const Ranking& ranking) {
   }
   std::string text;
   for (const auto& [caution, names] : designs)
-    text += "\ncaution: Lindqvist's formula for " + std::to_string(names.size()) + " designs, first " +
-            names.front() + ": " + caution + "\n";
+    text += "\ncaution: Lindqvist's formula for " +
+            (names.size() == 1 ? names.front()
+                               : std::to_string(names.size()) + " designs, first " + names.front()) +
+            ": " + caution + "\n";
   return text;
 }
 
@@ -202,10 +206,18 @@ std::string ranking_text(const Ranking& ranking) {
       text += "\nwarning: " + warning + "\n";
   if (!others.empty()) text += "\nnot ranked\n" + others;
   if (std::isfinite(ranking.spearman)) {
-    text += "\nrank correlation of mean load and formula: " + brief(ranking.spearman) + " (" +
+    text += "\nrank correlation of mean load and formula: " + decimals(ranking.spearman, 2) + " (" +
             std::to_string(ranking.spearman_n) + " designs)\n";
   }
   return text;
+}
+
+std::string order_text(const std::string& directory, const Ranking& ranking) {
+  const bool simulated = std::any_of(ranking.rows.begin(), ranking.rows.end(), [](const RankedDesign& row) {
+    return part_at(row.evaluation.result, result_key::simulation).is_object();
+  });
+  const std::string words = simulated ? order_in_words(read_study_results(directory)) : "";
+  return words.empty() ? words : "\n" + words + "\n";
 }
 
 }  // namespace icebow

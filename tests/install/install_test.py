@@ -20,7 +20,8 @@ def main():
         work.mkdir()
         run(CMAKE, "--install", BUILD, "--prefix", prefix)
         for file in ("share/man/man1/icebow.1", "share/bash-completion/completions/icebow",
-                     "share/zsh/site-functions/_icebow", "share/fish/vendor_completions.d/icebow.fish",
+                     "share/zsh/site-functions/_icebow", "share/zsh/vendor-completions/_icebow",
+                     "share/fish/vendor_completions.d/icebow.fish",
                      "share/icebow/studies/quickstart.json", "share/doc/icebow/README.md"):
             assert (prefix / file).stat().st_size > 100, file
         program, studies = prefix / "bin/icebow", prefix / "share/icebow/studies"

@@ -9,6 +9,7 @@ small laptop and a phone: layout.js tells what is cut, sticks out or overlaps.
 import base64
 import csv
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -27,8 +28,13 @@ CHARTS = {"": FULL, "pareto": FULL | {"chart-front"}, "unfinished": FULL,
           "cycle": FULL - {"chart-effects", "chart-response"},
           "formula": {"chart-loads", "chart-parallel", "chart-angles", "chart-effects", "chart-response"}}
 
-# Of four bows, the best three with their cards, each of which has less than three pages. It prints on 12.
-MOST_PAGES = 13
+TWO = {"/bow/stem_deg": {"min": 20, "max": 26}, "/bow/waterline_deg": {"min": 20, "max": 26}}
+NINE = {**TWO, "/bow/buttock_deg": {"min": 26, "max": 30}, "/ice/thickness_m": {"min": 0.7, "max": 0.9},
+        "/ice/flexural_strength_kPa": {"min": 450, "max": 550}, "/ice/elastic_modulus_GPa": {"min": 1.2, "max": 1.4},
+        "/ice/friction": {"min": 0.09, "max": 0.11}, "/operation/speed_kn": {"min": 2, "max": 4}, "/bow/draft_m": {"min": 7.4, "max": 7.6}}
+
+# Of four bows, the best three with their cards, each of which has less than three pages, and nine parameters. It prints on 14.
+MOST_PAGES = 15
 
 # What a reader does, in the page itself; each line of `done` is a check that held.
 READER = """
@@ -67,6 +73,9 @@ const until = async (holds) => { for (let k = 0; k < 200 && !holds(); ++k) await
   check("Welch's test has the p of the program", Math.abs(Number($("compare-said").dataset.p) - P_VALUE) < 1e-6);
   $("theme").click();
   check("the theme changes", ["light", "dark"].includes(document.documentElement.dataset.theme));
+  // The records end at 62.49 m, the steady part at 62.5 m: a line to a place beyond the axis is not drawn.
+  const means = () => [...$("chart-history").querySelectorAll('path[stroke-width="2.2"]')].map((line) => line.getBBox().width);
+  check("each record that is shown has its mean as a line", means().length === 2 && means().every((width) => width > 200));
   const card = document.querySelectorAll("details.card")[5];
   location.hash = card.id;
   await until(() => card.open);
@@ -107,6 +116,30 @@ const rows = () => document.querySelectorAll("table.ranking tbody tr");
   check("it is filled when it opens", /Lindqvist's formula/.test(last.textContent));
   document.querySelector("table.ranking button.sort").click();
   check("a table that is sorted is whole", rows().length === 41 && !$("show-all-rows"));
+  const height = () => $("chart-loads").querySelector("svg").getBoundingClientRect().height;
+  check("on the screen each of forty designs has its line", height() > 26 * 40);
+  dispatchEvent(new Event("beforeprint"));
+  check("on paper they share one sheet", height() > 400 && height() < 930);
+  dispatchEvent(new Event("afterprint"));
+  check("and after it the screen has its own again", height() > 26 * 40);
+})().catch((error) => done.push(`FAILED ${error}`)).finally(() => { document.documentElement.dataset.reader = done.join("|"); });
+"""
+
+
+# The search of an optimiser: its axis begins near the lowest value, and marks what has no load at the foot.
+READER_OF_SEARCH = """
+const done = [], $ = (id) => document.getElementById(id);
+const check = (what, holds) => done.push(`${holds ? "ok" : "FAILED"} ${what}`);
+const until = async (holds) => { for (let k = 0; k < 200 && !holds(); ++k) await new Promise((go) => setTimeout(go, 20)); };
+(async () => {
+  await until(() => document.documentElement.dataset.ready);
+  const data = JSON.parse($("icebow-data").textContent), ranked = data.designs.filter((design) => design.rank > 0);
+  const values = ranked.map((design) => design.value / data.unit.newtons), lowest = Math.min(...values), highest = Math.max(...values);
+  const labels = [...$("chart-search").querySelectorAll('svg text[text-anchor="end"]')].map((label) => Number(label.textContent)).filter(Number.isFinite);
+  const foot = Math.min(...labels), top = Math.max(...labels);
+  check(`the search's axis, ${foot} to ${top}, holds its values, ${lowest} to ${highest}`, labels.length > 2 && foot <= lowest && top >= highest);
+  check("and does not begin far below them", foot > lowest - 0.6 * (highest - lowest) - 0.05 * lowest);
+  check("the steps that bettered all before are listed, the best first", Math.abs(Number($("search-steps").tBodies[0].rows[0].cells[2].textContent) - lowest) < 0.001);
 })().catch((error) => done.push(`FAILED ${error}`)).finally(() => { document.documentElement.dataset.reader = done.join("|"); });
 """
 
@@ -142,13 +175,17 @@ def pages_on_paper(browser, html):
 
 def write_study(kind, study, directory):
     """A made-up study; "cycle" is a real one, with the process of the breaking in its cards; "many" has 41 designs."""
-    if kind not in ("cycle", "many"):
+    if kind not in ("cycle", "many", "search"):
         subprocess.run([sys.argv[1], study, kind], check=True)
         return
     file = os.path.join(directory, f"{kind}.json")
     ship = ["--length", "110", "--beam", "22", "--draft", "7.5", "--thickness", "0.8", "--speed", "3", "--samples", "3" if kind == "cycle" else "40"]
     asked = [] if kind == "cycle" else ["--set", '/evaluators=["lindqvist"]', "--set", "/ranking={\"by\": \"lindqvist_breaking\"}"]
     subprocess.run([sys.argv[3], "new", file, *ship], check=True, capture_output=True)
+    if kind == "cycle":  # ten scales side by side
+        asked = ["--set", "/ice/friction=0.1", "--set", "/method/variables=" + json.dumps(NINE)]
+    if kind == "search":
+        asked = ["--set", "/method=" + json.dumps({"type": "optimise", "max_evaluations": 20, "seed": 1, "variables": TWO})]
     subprocess.run([sys.argv[3], "run", file, "--out", study, *asked], check=True, capture_output=True)
 
 
@@ -186,6 +223,12 @@ def badly_laid_out(browser, html):
     if not said or said[1] != "nothing":
         return [f"layout: {said[1] if said else 'was not looked at'}"]
     return []
+
+
+def steps_of(browser, html, reader):
+    """What the reader's script has checked."""
+    done = re.search(r'data-reader="([^"]*)"', page_in_browser(browser, with_reader(html, reader)))
+    return done[1].split("|") if done else ["FAILED: the reader's script did not run"]
 
 
 def mistakes_of(dom, charts):
@@ -231,11 +274,14 @@ def main():
                 with open(os.path.join(study, "ranking.csv"), encoding="utf-8", newline="") as file:
                     p_best = next(row["p_best"] for row in csv.DictReader(file) if row["design"] == "high flare")
                 reader = READER.replace("P_VALUE", p_best)
-            dom = page_in_browser(browser, with_reader(html, reader))
-            done = re.search(r'data-reader="([^"]*)"', dom)
-            steps = done[1].split("|") if done else ["FAILED: the reader's script did not run"]
+            steps = steps_of(browser, html, reader)
             print("\n".join(steps))
             failed = failed or any(not step.startswith("ok") for step in steps)
+        study = os.path.join(directory, "search")
+        write_study("search", study, directory)
+        steps = steps_of(browser, os.path.join(study, "report.html"), READER_OF_SEARCH)
+        print("\n".join(steps))
+        failed = failed or any(not step.startswith("ok") for step in steps)
     return 1 if failed else 0
 
 

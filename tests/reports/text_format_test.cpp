@@ -64,4 +64,11 @@ TEST_CASE("names are listed as one says them") {
   CHECK(listed({"a", "b", "c", "d"}, 3) == "a, b and 2 more");
 }
 
+TEST_CASE("a word of a command line reaches the shell as it is") {
+  CHECK(shell_word("studies/bows.json") == "studies/bows.json");
+  CHECK(shell_word("my ship.json") == "'my ship.json'");
+  CHECK(shell_word("it's; rm x") == "'it'\\''s; rm x'");
+  CHECK(shell_word("") == "''");
+}
+
 }  // namespace icebow

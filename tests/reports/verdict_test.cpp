@@ -70,7 +70,7 @@ TEST_CASE("confirmed by few simulations the order is told, and the level is said
 
 TEST_CASE("an interval that is not known is not made up") {
   const Verdict words = verdict(study_of({measured("a", 8.125e5, std::nan(""))}));
-  CHECK(words.headline == "a has the lowest mean ice load, 0.812\u00a0MN.");
+  CHECK(words.headline == "a is the only design with a rank: mean ice load 0.812\u00a0MN.");
 }
 
 TEST_CASE("the baseline is compared with where it is another design, with the test of the difference") {
@@ -111,6 +111,33 @@ TEST_CASE("records that are too short rank nothing, and say how far to sail") {
   CHECK(few.next.find("Sail 75\u00a0m instead of 35\u00a0m") == 0);  // 10 / 4 times the steady part
 }
 
+TEST_CASE("of one design nothing is the lowest, and a short record leaves its load unknown") {
+  CHECK(verdict(study_of({measured("a", 1e6, 4e4)})).headline ==
+        "a is the only design with a rank: mean ice load 1.00\u00a0\u00b1\u00a00.04\u00a0MN.");
+  Evaluation e = measured("a", 1e6, 2e6);
+  e.result["simulation"] = {{"lambda", 25}};
+  CHECK(says_in(verdict(study_of({e})).headline, "This study does not know the load of this bow: "));
+}
+
+TEST_CASE("equal numbers without sampling error are the same, however often they are evaluated") {
+  const Verdict words = verdict(
+      study_of({measured("baseline", 1e6, 4e4, 9e5), measured("b", 1e6, 4e4, 9e5)}, "lindqvist_breaking"));
+  CHECK(says_in(words.headline, "0.900\u00a0MN; 1 other design has the same."));
+  const StudyResults study =
+      study_of({measured("baseline", 1e6, 4e4, 9e5), measured("b", 1e6, 4e4, 9e5)}, "lindqvist_breaking");
+  CHECK(versus_in_words(study.ranking.rows[1], study) == "the same as the baseline");
+}
+
+TEST_CASE("numbers that are not positive are compared in their unit, not in percent") {
+  std::vector<Evaluation> designs = {measured("baseline", 1e6, 4e4), measured("b", 1e6, 4e4)};
+  designs[0].result["programs"] = {{"yard", {{"gain_N", -1e6}}}};
+  designs[1].result["programs"] = {{"yard", {{"gain_N", -3e6}}}};
+  const StudyResults study = study_of(designs, "/programs/yard/gain_N");
+  CHECK(says_in(verdict(study).headline, "\u22123.000\u00a0MN, 2.000\u00a0MN below the baseline."));
+  CHECK(says_in(verdict(study).next, "second evaluator"));            // nothing to repeat
+  CHECK(load_in_words(1.2e-4, {"MN", 1e6, 3}) == "1.2e-10\u00a0MN");  // not "0.000 MN"
+}
+
 TEST_CASE("what the formula says of its own range stands among the remarks, once") {
   std::vector<Evaluation> designs = {measured("a", 1e6, 5e4), measured("b", 2e6, 5e4),
                                      measured("c", 3e6, 5e4)};
@@ -122,13 +149,15 @@ TEST_CASE("what the formula says of its own range stands among the remarks, once
 TEST_CASE("unlike ships or ices in one study are told") {
   std::vector<Evaluation> designs = {measured("a", 1e6, 5e4), measured("b", 2e6, 5e4)};
   for (std::size_t i = 0; i < 2; ++i) {
-    designs[i].result["lindqvist"]["inputs"] = {{"B_m", 20.0 + static_cast<double>(i)},
-                                                {"sigma_f_Pa", 863e3}};
+    designs[i].result["lindqvist"]["inputs"] = {
+        {"B_m", 20.0 + static_cast<double>(i)}, {"h_m", 1.0 + static_cast<double>(i)}, {"sigma_f_Pa", 863e3}};
     designs[i].result["simulation"] = {{"nz", 3},
                                        {"ice", {{"flexural_strength_Pa", 5952e3}, {"model", "paper"}}}};
   }
   const StudyResults study = study_of(designs);
-  CHECK(says(verdict(study), "The ranking compares unlike cases: Beam is 20.0 to 21.0\u00a0m."));
+  CHECK(says(verdict(study),
+             "The ranking compares unlike cases: Ice thickness is 1.00 to 2.00\u00a0m and Beam is 20.0 to "
+             "21.0\u00a0m."));
   const Conditions found = conditions(study);
   CHECK(found.unlike_ices == "simulated in ice of 5952\u00a0kPa, the formula in ice of 863\u00a0kPa");
   CHECK(found.ice.find("5952\u00a0kPa in bending, by its toughness, as published, 3\u00a0layers") !=
@@ -147,7 +176,8 @@ TEST_CASE("the order of the formula is put in words only where there are designs
 TEST_CASE("other quantities carry their own unit") {
   const Verdict per_beam = verdict(study_of({measured("a", 1e6, 4e4)}, "mean_load_per_beam"));
   CHECK(per_beam.headline ==
-        "a has the lowest mean ice load per metre of beam, 50.0\u00a0\u00b1\u00a02.0\u00a0kN/m.");
+        "a is the only design with a rank: mean ice load per metre of beam "
+        "50.0\u00a0\u00b1\u00a02.0\u00a0kN/m.");
   const Verdict formula = verdict(
       study_of({measured("a", 1e6, 4e4, 9.5e5), measured("b", 1e6, 4e4, 9.9e5)}, "lindqvist_breaking"));
   CHECK(formula.headline == "a has the lowest breaking resistance by Lindqvist's formula, 0.950\u00a0MN.");
@@ -183,7 +213,7 @@ TEST_CASE("a number of the study's own program is ranked in plain words, without
 }
 
 TEST_CASE("loads over scenarios say so, and do not pass the first one's ice for all") {
-  std::vector<Evaluation> designs = {measured("a", 1e6, 4e4)};
+  std::vector<Evaluation> designs = {measured("a", 1e6, 4e4), measured("b", 2e6, 4e4)};
   designs[0].result["lindqvist"]["inputs"] = {{"h_m", 0.6}, {"sigma_f_Pa", 5e5}, {"B_m", 20.0}};
   StudyResults study = study_of(designs);
   study.document = {

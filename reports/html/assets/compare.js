@@ -40,6 +40,9 @@ function fillTable([a, b]) {
   for (const key of ANGLES) add(`${key}, deg`, a.angles_deg[key], b.angles_deg[key], 2);
   for (const pointer of Object.keys(a.parameters))
     if (!ANGLES.some((key) => pointer.endsWith(`/${key}_deg`))) add(name(pointer), a.parameters[pointer], b.parameters[pointer], 3);
+  const own = data.rank_by.startsWith("/"), size = data.rank_by === "mean_load_per_beam" ? 1e3 : unit.newtons;
+  if (own || size !== unit.newtons)
+    add(`${data.quantity}, ${own ? unit.name : "kN/m"}`, isNumber(a.value) ? a.value / size : null, isNumber(b.value) ? b.value / size : null, unit.decimals);
   const loads = { mean_N: "Mean load", max_N: "Peak", q95_N: "95 % quantile", lindqvist_N: `Lindqvist, ${data.compared}` };
   for (const [key, label] of Object.entries(loads))
     add(`${label}, ${unit.name}`, a[key] === null ? null : a[key] / unit.newtons, b[key] === null ? null : b[key] / unit.newtons, unit.decimals);
@@ -49,11 +52,15 @@ function fillTable([a, b]) {
 function sayDifference([a, b]) {
   const { ci95, p, difference } = welch(a, b), share = (100 * difference) / a.value;
   const said = document.getElementById("compare-said");
-  const apart = `${b.name} is ${format(Math.abs(share), 1)} % ${share < 0 ? "below" : "above"} ${a.name}`;
-  if (ci95 === 0) { said.textContent = `${apart}, by a formula without sampling error.`; return; }
+  delete said.dataset.p;
+  if (a === b || (ci95 === 0 && difference === 0)) { said.textContent = a === b ? "One and the same design." : `${b.name} and ${a.name} have the same.`; return; }
+  // Of a number that is not positive there is no percentage.
+  const much = a.value > 0 ? `${format(Math.abs(share), 1)} %` : `${format(Math.abs(difference) / data.unit.newtons, data.unit.decimals)} ${data.unit.name}`;
+  const apart = `${b.name} is ${much} ${difference < 0 ? "below" : "above"} ${a.name}`;
+  if (ci95 === 0) { said.textContent = `${apart}, without sampling error.`; return; }
   if (ci95 === null) { said.textContent = `${apart}; the intervals are not known.`; return; }
   const words = p < 0.001 ? "p < 0.001" : `p = ${p.toFixed(p < 0.0095 ? 3 : 2)}`;
-  said.textContent = `${apart}, ± ${format(Math.abs((100 * ci95) / a.value), 1)} (95 %), ${words}: ${p < 0.05 ? "told apart" : "not told apart"}.`;
+  said.textContent = `${apart}, ± ${format(a.value > 0 ? (100 * ci95) / a.value : ci95 / data.unit.newtons, 1)} (95 %), ${words}: ${p < 0.05 ? "told apart" : "not told apart"}.`;
   said.dataset.p = p;
 }
 

@@ -201,8 +201,8 @@ Json simulated_ice_json(const Communicator& comm, const Case& full, const Scenar
       {"flexural_strength_Pa", full_scale},
       {"sentence",
        "ice: the published model; by the virtual beam test of this lattice it has a flexural strength of " +
-           kilopascals(full_scale) + ", which is " + brief(full_scale / asked) + " times the " + formula +
-           ": the two loads are of unlike ice"}};
+           kilopascals(full_scale) + ", which is " + brief(std::round(10.0 * full_scale / asked) / 10.0) +
+           " times the " + formula + ": the two loads are of unlike ice"}};
 }
 
 }  // namespace icebow

@@ -82,6 +82,7 @@ RankedDesign described(const std::vector<Evaluation>& runs, const std::string& r
                                [](const Evaluation& e) { return e.status == EvaluationStatus::ok; });
   RankedDesign row;
   row.evaluation = ok == runs.end() ? runs.front() : *ok;
+  row.evaluation.name = run_name(row.evaluation.name).design;
   row.value = ranking_value(row.evaluation, rank_by);
   if (ok == runs.end()) return row;
   const Json& result = row.evaluation.result;

@@ -15,7 +15,7 @@
 namespace icebow {
 
 struct RankedDesign {
-  Evaluation evaluation;        // of repeated runs the first one that is ok
+  Evaluation evaluation;        // of repeated runs the first one that is ok, by the design's name
   int runs = 1;                 // that the numbers below are of: those that are ok
   int rank = 0;                 // 1 = best; 0 = not ranked (infeasible, failed, running)
   bool tied_with_next = false;  // Welch's test does not tell it from the next design

@@ -135,6 +135,7 @@ TEST_CASE("a failed run is left out of its design's mean") {
   failed.status = EvaluationStatus::failed;
   const Ranking r = rank_designs({failed, run("a#2", 100, 3), run("a#3", 110, 3)}, "mean_load");
   REQUIRE(r.rows.size() == 1);
+  CHECK(r.rows[0].evaluation.name == "a");  // not that of a run
   CHECK(r.rows[0].rank == 1);
   CHECK(r.rows[0].runs == 2);
   CHECK(r.rows[0].mean_load == Approx(105.0));

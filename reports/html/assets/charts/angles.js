@@ -1,5 +1,5 @@
 // Load against each parameter that varies, and each measured angle: small multiples on one load axis.
-import { axis, describe, draw, halfOf, intervals, isNumber, loadOf, look, MANY, measured, nice, palette, tooltip, variables } from "./kit.js";
+import { axis, describe, draw, fromZero, halfOf, intervals, isNumber, loadOf, look, MANY, measured, nice, palette, tooltip, variables } from "./kit.js";
 
 export function bounds(values) {
   const lowest = Math.min(...values), highest = Math.max(...values), margin = 0.06 * (highest - lowest) || 1;
@@ -17,7 +17,8 @@ export function drawAngles(data, options) {
   const all = measured(data);
   if (!host || all.length === 0) return;
   const p = palette(), unit = data.unit, scale = 1 / unit.newtons;
-  const top = Math.max(...all.map((d) => (loadOf(d) + (halfOf(d) ?? 0)) * scale));
+  const top = Math.max(0, ...all.map((d) => (loadOf(d) + (halfOf(d) ?? 0)) * scale));
+  const foot = fromZero(all.map((d) => loadOf(d) * scale));
   const list = variables(all);
   host.closest("figure").hidden = list.length === 0;
   const elements = places(host, list.length);
@@ -27,7 +28,7 @@ export function drawAngles(data, options) {
       grid: { left: 44, right: 14, top: 12, bottom: 46 },
       tooltip: tooltip(p, { trigger: "item", formatter: (item) => describe(designs[item.dataIndex], unit) }),
       xAxis: axis(p, panel.title, bounds(designs.map(panel.of))),
-      yAxis: axis(p, `Load, ${unit.name}`, { ...nice(0, 1.04 * top, 4), nameGap: 32 }),
+      yAxis: axis(p, `Load, ${unit.name}`, { ...nice(1.04 * foot, 1.04 * top, 4), nameGap: 32 }),
       series: [
         { ...intervals(p, designs.length > MANY ? [] : designs.flatMap((d) => isNumber(halfOf(d))
           ? [[panel.of(d), (loadOf(d) - halfOf(d)) * scale, (loadOf(d) + halfOf(d)) * scale]] : [])), encode: { x: 0, y: [1, 2] } },

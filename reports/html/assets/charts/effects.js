@@ -7,15 +7,16 @@ export function drawEffects(data, options) {
   if (!element || !data.fit) return;
   const p = palette(), scale = 1 / data.unit.newtons, effects = data.fit.effects;
   const ends = effects.flatMap((e) => [(e.change - e.ci95) * scale, (e.change + e.ci95) * scale, 0]);
+  const wide = options.paper || element.clientWidth > 520; // a phone leaves the names of the parameters half of it
   const words = (e) => `${title(e.pointer)}: ${format(e.lower, 1)} to ${format(e.upper, 1)}`;
   draw(element, {
     grid: { left: 8, right: 24, top: 8, bottom: 44, containLabel: true },
     tooltip: tooltip(p, { trigger: "item", formatter: ({ dataIndex: i }) =>
       `${words(effects[i])}<br>${format(effects[i].change * scale, 3)} ± ${format(effects[i].ci95 * scale, 3)} ${data.unit.name}` }),
-    xAxis: axis(p, `Change of the load over the range, ${data.unit.name}`, nice(Math.min(...ends), Math.max(...ends), 6)),
+    xAxis: axis(p, `Change of the load${wide ? " over the range" : ""}, ${data.unit.name}`, nice(Math.min(...ends), Math.max(...ends), 6)),
     yAxis: axis(p, "", {
       type: "category", inverse: true, data: effects.map(words), axisTick: { show: false },
-      axisLine: { show: true, lineStyle: { color: p.muted }, onZero: true }, axisLabel: { color: p.ink, fontSize: 13, interval: 0 },
+      axisLine: { show: true, lineStyle: { color: p.muted }, onZero: true }, axisLabel: { color: p.ink, fontSize: 13, lineHeight: 14, interval: 0, ...(wide ? {} : { width: 0.42 * element.clientWidth, overflow: "break" }) },
     }),
     series: [
       { type: "scatter", z: 3, symbolSize: 11, data: effects.map((e, i) => ({ value: [e.change * scale, i],

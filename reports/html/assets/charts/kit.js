@@ -74,6 +74,9 @@ export function nice(lowest, highest, count = 5) {
   return { min: whole(Math.floor(lowest / interval + 1e-6)), max: whole(Math.ceil(highest / interval - 1e-6)), interval };
 }
 
+// An axis of loads begins at zero, or at the lowest of those that are below it.
+export const fromZero = (values) => Math.min(0, ...values.filter(isNumber));
+
 export const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
 
 export function format(value, decimals) {
@@ -131,7 +134,7 @@ export const halfOf = (design) => (design.mean_N === null ? null : design.ci95_N
 export const measured = (data) => data.designs.filter((design) => design.rank > 0 && isNumber(loadOf(design)));
 export const MANY = 120; // designs from which charts are drawn on a canvas
 
-const UNITS = { deg: "deg", m: "m", kn: "kn", Pa: "Pa", s: "s" };
+const UNITS = { deg: "deg", m: "m", m2: "m²", m3: "m³", kg: "kg", kn: "kn", N: "N", Pa: "Pa", kPa: "kPa", MPa: "MPa", GPa: "GPa", s: "s" };
 
 // "/ice/thickness_m" reads "ice thickness, m".
 export function title(pointer) {

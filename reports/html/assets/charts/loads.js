@@ -1,5 +1,5 @@
 // Mean load of each design with its interval, its peak and Lindqvist's value: one line a design, best on top.
-import { axis, describe, draw, halfOf, intervals, isNumber, loadOf, look, measured, palette, tooltip } from "./kit.js";
+import { axis, describe, draw, fromZero, halfOf, intervals, isNumber, loadOf, look, measured, palette, tooltip } from "./kit.js";
 import { isChosen, isChoosing } from "../selection.js";
 
 const MOST = 40;
@@ -23,12 +23,13 @@ export function drawLoads(data, options) {
   const points = (key) => designs.map((design, i) => [design[key] * scale, i]).filter(([x], i) => isNumber(designs[i][key]) && isNumber(x));
   const best = all[0];
   const band = isNumber(halfOf(best)) && [[{ xAxis: (best.mean_N - best.ci95_N) * scale }, { xAxis: (best.mean_N + best.ci95_N) * scale }]];
+  const foot = fromZero(designs.map(loadOf)); // an interval alone may end below zero, unseen
   const label = (name) => (name.length > 22 ? `${name.slice(0, 21)}…` : name);
   const row = options.paper ? Math.min(26, 820 / designs.length) : 26; // on one sheet of paper
   draw(element, {
     grid: { left: 8, right: 24, top: 8, bottom: 44, containLabel: true },
     tooltip: tooltip(p, { trigger: "item", formatter: (item) => describe(designs[item.value[1]], unit) }),
-    xAxis: axis(p, `Load, full scale, ${unit.name}`, { min: 0 }),
+    xAxis: axis(p, `Load, full scale, ${unit.name}`, foot < 0 ? {} : { min: 0 }),
     yAxis: axis(p, "", {
       type: "category", inverse: true, data: designs.map((design) => label(design.name)),
       axisLine: { show: false }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: p.rule, type: [1, 4] } },

@@ -2,7 +2,8 @@
 import { colour, escaped, format, isNumber, loadOf, measured, variables } from "./kit.js";
 import { chooseRange, isChosen, isChoosing, onChoice } from "../selection.js";
 
-const HEIGHT = 300, TOP = 34, BOTTOM = 30, SIDE = 60;
+const HEIGHT = 300, TOP = 34, BOTTOM = 30, NARROWEST = 52; // px between two scales
+const widthOf = (words) => 6.7 * words.length; // of 13 px type, about
 
 function axes(data) {
   const designs = measured(data), unit = data.unit;
@@ -49,10 +50,12 @@ export function drawParallel(data, options) {
   const element = document.getElementById("chart-parallel");
   if (!element) return;
   const list = axes(data), designs = [...measured(data)].reverse(); // the best on top
-  const width = options.paper ? 680 : Math.max(320, element.clientWidth), step = (width - 2 * SIDE) / Math.max(1, list.length - 1);
+  const left = Math.max(60, 0.5 * widthOf(list[0].title)), right = Math.max(60, 0.5 * widthOf(list.at(-1).title)), gaps = Math.max(1, list.length - 1);
+  // Many scales on a phone are wider than it, and scroll.
+  const width = options.paper ? 680 : Math.max(320, element.clientWidth, left + right + NARROWEST * gaps), step = (width - left - right) / gaps;
   // Titles that have no room side by side stand on several lines.
-  const lines = Math.ceil(110 / step), top = TOP + 16 * (lines - 1), height = HEIGHT + top - TOP;
-  const x = (k) => SIDE + k * step, y = (axis, value) => top + (height - top - BOTTOM) * (1 - (value - axis.low) / (axis.high - axis.low || 1));
+  const lines = Math.ceil((Math.max(...list.map((axis) => widthOf(axis.title))) + 8) / step), top = TOP + 16 * (lines - 1), height = HEIGHT + top - TOP;
+  const x = (k) => left + k * step, y = (axis, value) => top + (height - top - BOTTOM) * (1 - (value - axis.low) / (axis.high - axis.low || 1));
   const ink = { best: colour("accent"), on: colour("tied"), off: colour("rule"), text: colour("ink"), muted: colour("muted") };
   const line = (design) => {
     const points = list.map((axis, k) => (isNumber(axis.of(design)) ? `${x(k).toFixed(1)},${y(axis, axis.of(design)).toFixed(1)}` : null)).filter(Boolean);

@@ -1,11 +1,12 @@
 // Mean load against Lindqvist's formula.
-import { axis, describe, draw, format, intervals, isNumber, look, MANY, measured, nice, palette, tooltip } from "./kit.js";
+import { axis, describe, draw, format, fromZero, intervals, isNumber, look, MANY, measured, nice, palette, tooltip } from "./kit.js";
 
 // One range for both axes: the 1:1 line is the diagonal.
 function range(designs, scale) {
   const low = designs.flatMap((d) => [d.mean_N - (d.ci95_N ?? 0), d.lindqvist_N]), high = designs.flatMap((d) => [d.mean_N + (d.ci95_N ?? 0), d.lindqvist_N]);
   const lowest = Math.min(...low) * scale, highest = Math.max(...high) * scale, margin = 0.1 * (highest - lowest);
-  return nice(Math.max(0, lowest - margin), highest + margin, 6);
+  const foot = fromZero(designs.map((d) => d.mean_N * scale)) || 0;
+  return nice(foot < 0 ? lowest - margin : Math.max(0, lowest - margin), highest + margin, 6);
 }
 
 // A name stands on the side of its point that faces away from the 1:1 line.

@@ -46,7 +46,7 @@ export function drawSearch(data, options) {
   const good = tried.filter((design) => design.rank > 0), values = good.map((design) => design.value * scale);
   if (good.length === 0) return;
   tellSteps(data, tried, good);
-  const ends_y = nice(Math.min(...values) * 0.98, Math.max(...values), 5);
+  const ends_y = nice(Math.min(...values.map((value) => value - 0.02 * Math.abs(value))), Math.max(...values), 5);
   let best = Infinity;
   const line = good.map((design) => { best = Math.min(best, design.value * scale); return [design.order, best]; });
   line.push([tried.at(-1).order, best]);
