@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "base/json_words.h"
 #include "base/stop_signal.h"
 #include "cli/commands.h"
 #include "cli/number_option.h"
@@ -116,10 +117,8 @@ std::string card_text(const Json& card) {
     text += "second objective " + text_at(card, "/second/by") + ": " +
             brief(number_at(card, "/second/value")) + ", " + place_in_words(words(card, "front")) + "\n";
   for (const Json& note : card.at("notes")) text += "note: " + note.get<std::string>() + "\n";
-  const Json& choices = part_at(card.at("result"), result_key::choices);
-  if (choices.is_object())
-    for (const auto& [pointer, value] : choices.items())
-      text += "  " + pointer + " " + value.get<std::string>() + "\n";
+  for (const auto& [pointer, word] : words_at(card.at("result"), result_key::choices))
+    text += "  " + pointer + " " + word + "\n";
   for (const auto& [pointer, value] : card.at("parameters").items())
     text += "  " + pointer + " " + (value.is_number() ? brief(value.get<double>()) : "-") + "\n";
   const Json& result = card.at("result");

@@ -192,6 +192,11 @@ TEST_CASE("a look-up by a pointer that is none, or beyond a list, finds nothing"
         std::map<std::string, std::string>{{"a~b", "x"}});
 }
 
+TEST_CASE("words of a result that somebody else made command no terminal") {
+  const Json json = parse_json(R"({"c": {"/bow/family": "a\u001b[2Jb\u202e", "x\u001b": "y"}})", "test.json");
+  CHECK(words_at(json, "/c") == std::map<std::string, std::string>{{"/bow/family", "a?[2Jb?"}, {"x?", "y"}});
+}
+
 TEST_CASE("memory and threads that are short are the machine's, and told in words") {
   CHECK(is_of_machine(std::bad_alloc()));
   CHECK_THAT(in_words(std::bad_alloc()), Catch::Contains("not enough memory"));

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "base/printable.h"
 
 namespace icebow {
 namespace {
@@ -52,7 +53,7 @@ Evaluation evaluation_from_json(const Json& json) {
   e.key = json.at("key").get<std::string>();
   e.name = json.at("name").get<std::string>();
   e.status = status_from_string(json.at("status").get<std::string>());
-  e.reason = json.at("reason").get<std::string>();
+  e.reason = printable(json.at("reason").get<std::string>());  // of a store from anywhere
   e.parameters = parameters_from_json(json.at("parameters"));
   e.result = json.at("result");
   e.wall_seconds = number_at(json, "/wall_seconds");
