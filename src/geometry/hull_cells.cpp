@@ -254,8 +254,16 @@ NearestTriangle HullCells::closest(const TriangleTree& tree, std::int32_t kind_o
 // A cell may have been mistaken for the next (CellGrid).
 float HullCells::clearance(std::int32_t cell, float x, float y, float z) const {
   constexpr float doubt = 0.01F;
-  if (cell > 0) return std::max(0.0F, (float(away[cell]) - 1.0F - doubt) * grid.size);
   const float p[3] = {x, y, z};
+  if (cell > 0) {
+    float own = 0.5F;  // to the sides of its cell, in cells
+    for (int c = 0; c < 3; ++c) {
+      const float at = (p[c] - grid.lower[c]) * grid.per_size, part = at - std::floor(at);
+      own = std::min({own, part, 1.0F - part});
+    }
+    if (away[cell] > 0) return std::max(0.0F, (float(away[cell]) - 1.0F + own - doubt) * grid.size);
+    return std::max(0.0F, std::min(own * grid.size, beyond_plane(kind[cell], x, y, z)) - doubt * grid.size);
+  }
   float beyond = 0.0F;  // the grid, along some axis
   for (int c = 0; c < 3; ++c) {
     const float upper = grid.lower[c] + grid.n[c] * grid.size;

@@ -51,11 +51,6 @@ ClosestPoint HullDistance::closest(const Vec3& p) const {
   return oriented(surface_, found.triangle, found.at, p);
 }
 
-float HullDistance::clearance(const Vec3& p, const Outlook& outlook) const {
-  if (outlook.clearance > 0.0F) return outlook.clearance;
-  return static_cast<float>(std::max(0.0, rounding * closest(p).signed_distance));
-}
-
 // A point that moves by w is nearer to one triangle by w at most, and further from another by w at most.
 void HullDistance::keep(const Vec3& p, double distance, Known& known) const {
   constexpr double of_a_cell = 0.1;  // a longer way needs more triangles

@@ -50,9 +50,6 @@ class HullDistance {
     return {cells_.may_be_inside(cells_.kind[cell], f.x(), f.y(), f.z()),
             cells_.clearance(cell, f.x(), f.y(), f.z())};
   }
-  // As `clearance` of a point that is not inside, and where that is 0 the distance from the hull: a search,
-  // which a point that moves slowly pays back many times.
-  float clearance(const Vec3& p, const Outlook& outlook) const;
   // Exact closest point, equal to closest_brute_force bit for bit, for any point; fast near and inside the
   // hull.
   ClosestPoint closest(const Vec3& p) const;

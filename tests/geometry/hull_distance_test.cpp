@@ -234,7 +234,7 @@ TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
   for (const Box& region : {bounding_box(mesh), Box{{-1, -0.3, -0.2}, {1, 0.3, 0.1}}}) {
     const HullDistance hull(mesh, region);
     const double cell = hull.grid().size;
-    int far = 0, seen_far = 0;
+    int far = 0, seen_far = 0, near = 0, seen_near = 0;
     for (const Vec3& p : random_points(grown(region, 0.2), 20000, 12)) {
       const HullDistance::Outlook outlook = hull.outlook(p);
       if (outlook.may_be_inside) CHECK(outlook.clearance == 0.0F);
@@ -245,6 +245,8 @@ TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
           if (outlook.clearance > 0.0F) CHECK_FALSE(hull.outlook(moved).may_be_inside);
         }
       }
+      near += !outlook.may_be_inside;
+      seen_near += outlook.clearance > 0.0F;
       const bool in_region =
           (p.array() > region.lower.array()).all() && (p.array() < region.upper.array()).all();
       if (!in_region || hull.closest(p).signed_distance < 6.0 * cell) continue;
@@ -252,7 +254,8 @@ TEST_CASE("Hull distance: nothing nearer than the clearance may be inside") {
       seen_far += outlook.clearance > 0.0F;
     }
     CHECK(far > 100);
-    CHECK(seen_far > 0.99 * far);  // not just beyond the end of the grid
+    CHECK(seen_near > 0.9 * near);  // beside the surface too
+    CHECK(seen_far > 0.99 * far);   // not just beyond the end of the grid
   }
 }
 

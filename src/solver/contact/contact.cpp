@@ -172,7 +172,7 @@ int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
     if (!(known.rest > 0.0F && distance_.in_region(position))) {
       const HullDistance::Outlook outlook = distance_.outlook(position);
       if (!outlook.may_be_inside) {
-        rest = distance_.clearance(position, outlook);
+        rest = outlook.clearance;
         known = {};
         watch.least = std::min(watch.least, rest);
         continue;
@@ -190,6 +190,8 @@ bool HullContact::touch(const Pass& pass, std::size_t p, const Vec3& position, d
   IceSheet& sheet = pass.sheet;
   ClosestPoint hit = distance_.closest(position, known);
   if (hit.signed_distance >= 0.0) {
+    // What counts as near the hull depends on the place alone, not on what is remembered of the particle.
+    if (!distance_.outlook(position).may_be_inside) return false;
     if (sheet.touched_face[p] != 0.0) sheet.touched_face[p] = 0.0;
     pass.ledger.passed(p, z);
     return false;
