@@ -29,7 +29,7 @@ StudyCost design_cost(const StudySpec& spec, Design design, double seconds);
 
 // Evaluates the file's own design: the formula and the cycle to their end, a simulation for `seconds` after
 // the hull and the ice are made, which takes some seconds more. Of a simulation only the first steps are
-// measured; docs/ study_file.md says by what its later ones, in broken ice, are counted more. Writes to a
+// measured; docs/study_file.md says by what its later ones, in broken ice, are counted more. Writes to a
 // directory that it removes.
 StudyCost study_cost(const StudySpec& spec, const StudyPlan& plan, double seconds);
 
