@@ -5,6 +5,7 @@
 
 #include "base/json_fields.h"
 #include "base/json_words.h"
+#include "base/shell_word.h"
 #include "base/units.h"
 #include "reports/content/all_runs.h"
 #include "reports/content/comparison.h"

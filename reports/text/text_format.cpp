@@ -55,16 +55,6 @@ std::string markdown_escaped(const std::string& text) {
   return out;
 }
 
-std::string shell_word(const std::string& text) {
-  const bool plain =
-      text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
-      std::string::npos;
-  if (plain && !text.empty()) return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 std::string csv_number(double value) {
   if (!std::isfinite(value)) return "";
   char text[40];

@@ -12,8 +12,6 @@ namespace icebow {
 std::string html_escaped(const std::string& text);
 // | and line ends do not survive in a table of Markdown.
 std::string markdown_escaped(const std::string& text);
-// A word of a shell's command line: in quotes where it has to be.
-std::string shell_word(const std::string& text);
 // Shortest text that reads back as the same double; empty where it is not finite.
 std::string csv_number(double value);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/csv_cell.h"
+#include "base/shell_word.h"
 
 namespace icebow {
 

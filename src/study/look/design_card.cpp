@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/json_fields.h"
+#include "base/shell_word.h"
 #include "solver/tank/virtual_tests.h"
 #include "study/look/stored_design.h"
 #include "study/plan/ranking.h"
@@ -15,15 +16,6 @@
 
 namespace icebow {
 namespace {
-
-// As a shell takes it for one word.
-std::string word(const std::string& text) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=@%,:";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 // The lattice's next finer one: a layer more, or a spacing that is three quarters of the file's.
 std::string finer_lattice(const Json& document, const Case& c) {
@@ -47,7 +39,7 @@ std::string by_cycle(const Json& document) {
   Json evaluators = part_at(document, document_key::evaluators);
   if (!evaluators.is_array()) evaluators = {"lindqvist"};
   evaluators.push_back("cycle");
-  return " --set " + word("/evaluators=" + evaluators.dump()) + " --set /ranking/by=mean_load";
+  return " --set " + shell_word("/evaluators=" + evaluators.dump()) + " --set /ranking/by=mean_load";
 }
 
 // Nothing where it cannot be finer.
@@ -59,7 +51,7 @@ std::string finer_options(const Design& design) {
 
 // A program, and several conditions but for the simulation, are evaluated by `icebow run` alone.
 Json commands_for(const std::string& directory, const Design& design) {
-  const std::string rest = " " + word(directory) + " --design " + word(design.name);
+  const std::string rest = " " + shell_word(directory) + " --design " + shell_word(design.name);
   const std::string options = finer_options(design);
   const bool simulated = design.asked.peridynamics, programs = !design.asked.programs.empty();
   if (programs || simulated || !design.given->scenarios.empty()) {

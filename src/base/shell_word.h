@@ -1,0 +1,11 @@
+// Words of a command line that somebody may paste.
+#pragma once
+
+#include <string>
+
+namespace icebow {
+
+// As a shell takes the text for one word: in quotes where it has to be.
+std::string shell_word(const std::string& text);
+
+}  // namespace icebow
