@@ -2,27 +2,19 @@
 
 #include <algorithm>
 
-#include "solver/ice/bond_query.h"
-
 namespace icebow {
 
 void ContactPairs::find(const IceSheet& sheet) {
   all_.clear();
   const Patches patches(comm_, sheet, within_);
-  const BondQuery bonds(sheet);
-  std::vector<NearPair> near(std::size_t(patches.particles()) * patches.particles());
-  const float within2 = static_cast<float>(within_ * within_);
-  patches.for_each_meeting(within_, [&](const Patches::Patch& a, const Patches::Patch& b) {
-    const Kind kind = patches.is_own(b) ? both : b.image ? mirrored : alone;
-    const int found =
-        sheet.kernel.near_pairs({patches.places(a), a.lower, a.upper}, {patches.places(b), b.lower, b.upper},
-                                sheet.layout.nz, within2, &a == &b, near.data());
-    for (int n = 0; n < found; ++n) {
-      const auto [in_a, in_b] = near[n];
-      if (!bonds.alive(patches.in_lattice(a, in_a), patches.in_lattice(b, in_b)))
-        all_.push_back({a.number + in_a, b.number + in_b, kind});
-    }
-  });
+  const double within2 = within_ * within_;
+  for (const CandidatePairs::Candidate& c : candidates_.find(sheet, patches)) {
+    const auto [in_a, in_b] = c.particles;
+    if (!((patches.place(c.patch_b, in_b) - patches.place(c.patch_a, in_a)).squaredNorm() < within2))
+      continue;
+    const Patches::Patch &a = patches.all()[c.patch_a], &b = patches.all()[c.patch_b];
+    all_.push_back({a.number + in_a, b.number + in_b, patches.is_own(b) ? both : b.image ? mirrored : alone});
+  }
   keep_used(sheet, patches);
   refresh(sheet);
 }

@@ -7,6 +7,7 @@
 
 #include "base/communicator.h"
 #include "base/vec.h"
+#include "solver/contact/candidate_pairs.h"
 #include "solver/contact/patches.h"
 #include "solver/ice/sheet.h"
 
@@ -26,8 +27,10 @@ class ContactPairs {
   };
 
   // Pairs nearer than `within` [m].
-  ContactPairs(const Communicator& comm, double within) : comm_(comm), within_(within) {}
+  ContactPairs(const Communicator& comm, double within) : comm_(comm), within_(within), candidates_(within) {}
 
+  // The ice has been renumbered since pairs were found.
+  void forget() { candidates_.forget(); }
   // Both collective.
   void find(const IceSheet& sheet);
   void refresh(const IceSheet& sheet);  // where the particles of the pairs are now
@@ -60,6 +63,7 @@ class ContactPairs {
 
   Communicator comm_;
   double within_;
+  CandidatePairs candidates_;
   std::vector<Pair> all_;
   std::vector<Own> own_;
   std::vector<Vec3> position_, borrowed_velocity_;

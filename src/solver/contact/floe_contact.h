@@ -38,6 +38,8 @@ class FloeContact {
               const EnergyModel& model);
   bool acts() const { return acts_; }
 
+  // The ice has been renumbered since pairs were found.
+  void renumbered() { pairs_.forget(); }
   // Both collective.
   void find_pairs(const IceSheet& sheet);
   // Adds to the accelerations of this rank's ice, which must hold the bonds' part and which the hull has

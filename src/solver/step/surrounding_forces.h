@@ -27,7 +27,10 @@ class SurroundingForces {
   // struck the ice. Returns the work of its relocations against other ice, in quanta.
   std::int64_t apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes);
   // Collective. Where the ice has been renumbered, or a run goes on that has been interrupted.
-  void renumbered(const IceSheet& sheet) { floes_.find_pairs(sheet); }
+  void renumbered(const IceSheet& sheet) {
+    floes_.renumbered();
+    floes_.find_pairs(sheet);
+  }
 
   // Whether pairs of ice were looked for in the last of so many steps, as where a run goes on.
   bool may_pause(std::int64_t steps) const {
