@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/communicator.h"
+#include "base/everywhere_gather.h"
 #include "base/vec.h"
 #include "solver/contact/candidate_pairs.h"
 #include "solver/contact/patches.h"
@@ -27,13 +28,17 @@ class ContactPairs {
   };
 
   // Pairs nearer than `within` [m].
-  ContactPairs(const Communicator& comm, double within) : comm_(comm), within_(within), candidates_(within) {}
+  ContactPairs(const Communicator& comm, double within)
+      : comm_(comm), within_(within), candidates_(within), borrowed_(comm, 0) {}
 
   // The ice has been renumbered since pairs were found.
   void forget() { candidates_.forget(); }
-  // Both collective.
+  // All collective.
   void find(const IceSheet& sheet);
-  void refresh(const IceSheet& sheet);  // where the particles of the pairs are now
+  // Where the particles of the pairs are now. What other ranks need of it may be sent before, as soon as this
+  // rank's particles have moved.
+  void send(const IceSheet& sheet);
+  void refresh(const IceSheet& sheet);
 
   const std::vector<Pair>& all() const { return all_; }  // in no order that means anything
   // The particles of the pairs: own ones by their place in the fields, then those of other ranks.
@@ -59,7 +64,8 @@ class ContactPairs {
   template <class Real>
   void place_own(const IceSheet& sheet);
   template <class Real>
-  void exchange(const IceSheet& sheet);
+  void send_lent(const IceSheet& sheet);
+  void take_borrowed();
 
   Communicator comm_;
   double within_;
@@ -68,7 +74,7 @@ class ContactPairs {
   std::vector<Own> own_;
   std::vector<Vec3> position_, borrowed_velocity_;
   std::vector<int> lent_;  // own ones that other ranks need
-  bool shared_ = false;    // whether any rank needs another's
+  EverywhereGather borrowed_;
 };
 
 }  // namespace icebow
