@@ -1,5 +1,5 @@
-// A group of ranks. MPI stays behind this wall: only communicator_native.cpp, everywhere_gather.cpp,
-// parallel_file.cpp and solver/ice/halo.cpp include <mpi.h>.
+// A group of ranks. MPI stays behind this wall: only communicator_native.cpp, solver/ice/halo.cpp and
+// base/parallel_file.cpp include <mpi.h>.
 //
 // Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one
 // rank. Every call named collective must be made by all ranks of the group, with arguments of the same size.

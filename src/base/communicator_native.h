@@ -1,5 +1,5 @@
-// The MPI side of Communicator: for communicator_native.cpp, everywhere_gather.cpp, parallel_file.cpp and
-// solver/ice/halo.cpp only.
+// The MPI side of Communicator: for communicator_native.cpp, solver/ice/halo.cpp and base/parallel_file.cpp
+// only.
 #pragma once
 
 #include <mpi.h>

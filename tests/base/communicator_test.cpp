@@ -3,7 +3,6 @@
 
 #include "base/collective.h"
 #include "base/errors.h"
-#include "base/everywhere_gather.h"
 #include "tests/support/main.h"
 
 using namespace icebow;

@@ -7,7 +7,6 @@
 
 #include "solver/contact/patches.h"
 #include "solver/ice/sheet.h"
-#include "solver/kernel/kernel.h"
 
 namespace icebow {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/collective.h"
 #include "base/communicator.h"
-#include "base/everywhere_gather.h"
 #include "base/vec.h"
 #include "solver/contact/candidate_pairs.h"
 #include "solver/contact/patches.h"
