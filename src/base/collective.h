@@ -1,9 +1,11 @@
-// What ranks do together with values of a type: gather, broadcast, fail. Everything here is collective.
+// What ranks do together with values: gather, broadcast, fail. Everything here is collective.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -64,5 +66,27 @@ template <class Act>
 void act_on_root(const Communicator& comm, const Act& act) {
   fail_together(comm, comm.is_root() ? trouble_in(act) : "");
 }
+
+// Numbers of every rank for every rank, which travel while the ranks work on. Made in
+// communicator_native.cpp.
+class EverywhereGather {
+ public:
+  // Collective. So many numbers of this rank, each time.
+  EverywhereGather(const Communicator& comm, std::size_t own);
+  ~EverywhereGather();
+  EverywhereGather(EverywhereGather&&) noexcept;
+  EverywhereGather& operator=(EverywhereGather&&) noexcept;
+
+  std::size_t size() const;  // of all ranks
+  // All ranks make the same calls: start() with this rank's numbers, which waits for nobody, then finish(),
+  // which gives those of all in rank order.
+  void start(const std::vector<double>& own);
+  bool under_way() const;
+  const std::vector<double>& finish();
+
+ private:
+  struct Message;
+  std::unique_ptr<Message> message_;
+};
 
 }  // namespace icebow

@@ -251,18 +251,60 @@ NearestTriangle HullCells::closest(const TriangleTree& tree, std::int32_t kind_o
   return cell.all_kept ? best : tree.closest(p, best.slot);
 }
 
-// A cell may have been mistaken for the next (CellGrid).
+namespace {
+
+// Of a cell: where a point lies in it along each axis, in cells; and how far it is to the nearest side.
+struct InCell {
+  float part[3], to_side = 0.5F;
+  InCell(const CellGrid& grid, const float (&p)[3]) {
+    for (int c = 0; c < 3; ++c) {
+      const float at = (p[c] - grid.lower[c]) * grid.per_size;
+      part[c] = at - std::floor(at);
+      to_side = std::min({to_side, part[c], 1.0F - part[c]});
+    }
+  }
+  // To the cell beside it in this direction, a step of -1, 0 or 1 along each axis.
+  float to(int dx, int dy, int dz) const { return std::sqrt(gap2(0, dx) + gap2(1, dy) + gap2(2, dz)); }
+
+ private:
+  float gap2(int axis, int step) const {
+    const float gap = step == 0 ? 0.0F : step < 0 ? part[axis] : 1.0F - part[axis];
+    return gap * gap;
+  }
+};
+
+constexpr float doubt = 0.01F;  // a cell may have been mistaken for the next (CellGrid)
+
+// How far from a point it is at least to what may be inside in its cell and the 26 around [m]. No more is
+// known than that the next cells may be inside.
+float clearance_around(const HullCells& cells, std::int32_t cell, const InCell& in, const float (&p)[3]) {
+  const CellGrid& grid = cells.grid;
+  const int nx = static_cast<int>(grid.n[0]), ny = static_cast<int>(grid.n[1]),
+            nz = static_cast<int>(grid.n[2]);
+  const int ix = (cell - 1) % nx, iy = (cell - 1) / nx % ny, iz = (cell - 1) / nx / ny;
+  float least = (1.0F + in.to_side) * grid.size;
+  for (int dz = iz > 0 ? -1 : 0; dz <= (iz < nz - 1 ? 1 : 0); ++dz) {
+    for (int dy = iy > 0 ? -1 : 0; dy <= (iy < ny - 1 ? 1 : 0); ++dy) {
+      for (int dx = ix > 0 ? -1 : 0; dx <= (ix < nx - 1 ? 1 : 0); ++dx) {
+        const std::int32_t kind = cells.kind[cell + dx + nx * (dy + ny * dz)];
+        if (kind == 0) continue;
+        const float beyond = cells.beyond_plane(kind, p[0], p[1], p[2]);
+        least = std::min(least, std::max(in.to(dx, dy, dz) * grid.size, beyond));
+      }
+    }
+  }
+  return std::max(0.0F, least - doubt * grid.size);
+}
+
+}  // namespace
+
 float HullCells::clearance(std::int32_t cell, float x, float y, float z) const {
-  constexpr float doubt = 0.01F;
+  constexpr float much = 0.3F;  // of a cell's size: enough not to look around
   const float p[3] = {x, y, z};
   if (cell > 0) {
-    float own = 0.5F;  // to the sides of its cell, in cells
-    for (int c = 0; c < 3; ++c) {
-      const float at = (p[c] - grid.lower[c]) * grid.per_size, part = at - std::floor(at);
-      own = std::min({own, part, 1.0F - part});
-    }
-    if (away[cell] > 0) return std::max(0.0F, (float(away[cell]) - 1.0F + own - doubt) * grid.size);
-    return std::max(0.0F, std::min(own * grid.size, beyond_plane(kind[cell], x, y, z)) - doubt * grid.size);
+    const InCell in(grid, p);
+    const float steps = float(away[cell]) - 1.0F + in.to_side - doubt;
+    return steps > much ? steps * grid.size : clearance_around(*this, cell, in, p);
   }
   float beyond = 0.0F;  // the grid, along some axis
   for (int c = 0; c < 3; ++c) {

@@ -49,20 +49,18 @@ struct HullCells {
     if (kind_of_cell <= 0) return kind_of_cell < 0;
     return beyond_plane(kind_of_cell, x, y, z) <= 0.0F;
   }
-  // How far from a point until one may be inside [m], at least; 0 where that is little or nothing.
-  float clearance(std::int32_t cell, float x, float y, float z) const;
-  // The closest triangle, exact for any p whose cell is of this kind.
-  NearestTriangle closest(const TriangleTree& tree, std::int32_t kind_of_cell, const Vec3& p) const;
-
-  std::size_t bytes() const;
-
- private:
   // From the plane of a cell that is not outside to a point outwards [m], or less; minus infinity inside.
   float beyond_plane(std::int32_t kind_of_cell, float x, float y, float z) const {
     if (kind_of_cell <= 0) return -std::numeric_limits<float>::infinity();
     const SurfaceCell& cell = surface[kind_of_cell - 1];
     return cell.normal[0] * x + cell.normal[1] * y + cell.normal[2] * z - cell.offset;
   }
+  // How far from a point until one may be inside [m], at least; 0 where that is little or nothing.
+  float clearance(std::int32_t cell, float x, float y, float z) const;
+  // The closest triangle, exact for any p whose cell is of this kind.
+  NearestTriangle closest(const TriangleTree& tree, std::int32_t kind_of_cell, const Vec3& p) const;
+
+  std::size_t bytes() const;
 };
 
 // Cells over `box`, the common part of the hull's bounding box and the region asked about: 1 to 4 million,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace icebow {
 namespace {
@@ -53,19 +54,44 @@ ClosestPoint HullDistance::closest(const Vec3& p) const {
 
 // A point that moves by w is nearer to one triangle by w at most, and further from another by w at most.
 void HullDistance::keep(const Vec3& p, double distance, Known& known) const {
-  constexpr double of_a_cell = 0.1;  // a longer way needs more triangles
+  constexpr double of_a_cell = 0.3;  // a longer way needs more triangles
   const double way = of_a_cell * cells_.grid.size;
   std::vector<TriangleTree::Near> near;
   tree_.within(p, distance + 2.0 * way, near);
   known.rest = static_cast<float>(rounding * way);
+  known.lead = 0.0F;
   known.count = near.size() <= Known::most ? static_cast<std::int32_t>(near.size()) : 0;
   for (int n = 0; n < known.count; ++n) known.slot[n] = near[n].slot;
+}
+
+// The nearest of the known triangles, which are put in order, with the lead that the first have over the
+// others.
+NearestTriangle HullDistance::compete(const Vec3& p, Known& known) const {
+  constexpr double distances_differ = 1e-9;  // by more than their rounding [m]
+  constexpr double worth_a_leader = 0.1;     // of the way that is left
+  std::array<std::pair<double, std::int32_t>, Known::most> by_distance;
+  NearestTriangle best = TriangleTree::no_triangle();
+  for (int n = 0; n < known.count; ++n)
+    by_distance[n] = {std::sqrt(tree_.improve(known.slot[n], p, best)), known.slot[n]};
+  std::sort(by_distance.begin(), by_distance.begin() + known.count);
+  for (int n = 0; n < known.count; ++n) known.slot[n] = by_distance[n].second;
+  for (known.leaders = 1; known.leaders < known.count; ++known.leaders) {
+    const double behind = by_distance[known.leaders].first - by_distance[0].first;
+    known.lead = static_cast<float>(rounding * 0.5 * behind - distances_differ);
+    if (known.lead > worth_a_leader * known.rest) return best;
+  }
+  known.lead = known.rest;
+  return best;
 }
 
 ClosestPoint HullDistance::closest(const Vec3& p, Known& known) const {
   NearestTriangle best = TriangleTree::no_triangle();
   if (known.rest > 0.0F && known.count > 0) {
-    for (int n = 0; n < known.count; ++n) tree_.improve(known.slot[n], p, best);
+    if (known.lead > 0.0F) {
+      for (int n = 0; n < known.leaders; ++n) tree_.improve(known.slot[n], p, best);
+    } else {
+      best = compete(p, known);
+    }
   } else {
     best = nearest(p);
     if (!(known.rest > 0.0F)) keep(p, std::sqrt(best.at.squared_distance), known);

@@ -55,15 +55,20 @@ class HullDistance {
   ClosestPoint closest(const Vec3& p) const;
 
   // What a search for a point that moves has found: the triangles of which one is the nearest as long as the
-  // point has not moved by more than `rest` [m]. None: too many to be kept.
+  // point has not moved by more than `rest` [m], and one of the first `leaders` of them as long as it has not
+  // moved by more than `lead`. None: too many to be kept.
   struct Known {
-    static constexpr int most = 6;  // as many meet at a corner of the mesh
+    static constexpr int most = 12;  // twice as many as meet at a corner of the mesh
     std::array<std::int32_t, most> slot;
-    std::int32_t count = 0;
-    float rest = 0.0F;
+    std::int32_t count = 0, leaders = 0;
+    float rest = 0.0F, lead = 0.0F;
+    void moved(float way) {
+      rest -= way;
+      lead -= way;
+    }
   };
-  // The same to the bit; near the hull outlook() says nothing that it does not. Callers subtract from `rest`
-  // what the point has moved since the last call.
+  // The same to the bit; near the hull outlook() says nothing that it does not. Callers say how far the point
+  // has moved since the last call.
   ClosestPoint closest(const Vec3& p, Known& known) const;
   // Whether contact is looked for here at all.
   bool in_region(const Vec3& p) const {
@@ -78,6 +83,7 @@ class HullDistance {
  private:
   NearestTriangle nearest(const Vec3& p) const;
   void keep(const Vec3& p, double distance, Known& known) const;
+  NearestTriangle compete(const Vec3& p, Known& known) const;
 
   TriangleSurface surface_;
   TriangleTree tree_;

@@ -80,11 +80,12 @@ NearestTriangle TriangleTree::no_triangle() {
   return none;
 }
 
-void TriangleTree::improve(int slot, const Vec3& p, NearestTriangle& best) const {
+double TriangleTree::improve(int slot, const Vec3& p, NearestTriangle& best) const {
   const TrianglePoint at = closest_on_triangle(leaves_[slot].corners, p);
   const double gain = best.at.squared_distance - at.squared_distance;
   if (gain > 0.0 || (gain == 0.0 && leaves_[slot].triangle < best.triangle))
     best = {at, leaves_[slot].triangle, slot};
+  return at.squared_distance;
 }
 
 // Calls visit(slot) for the triangles of all leaves whose box may be nearer to p than sqrt(bound()), near

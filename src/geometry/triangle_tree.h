@@ -22,8 +22,8 @@ class TriangleTree {
   // Exact whatever the seed, the faster the nearer that triangle is to p. slot = -1: no seed.
   NearestTriangle closest(const Vec3& p, int seed_slot = -1) const;
   // Lets the triangle of one slot compete. `best` may come from an earlier search for the same p, or be
-  // no_triangle().
-  void improve(int slot, const Vec3& p, NearestTriangle& best) const;
+  // no_triangle(). Returns this triangle's squared distance.
+  double improve(int slot, const Vec3& p, NearestTriangle& best) const;
   static NearestTriangle no_triangle();
   // Slots of all triangles within the radius of p, and their distances (in no order); clears `found` first.
   struct Near {

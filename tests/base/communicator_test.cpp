@@ -86,3 +86,23 @@ TEST_CASE("where one rank fails, all fail with its words") {
   CHECK_NOTHROW(act_together(comm, [] {}));
   if (last > 0) CHECK_NOTHROW(act_on_root(comm, fails_on(last)));
 }
+
+TEST_CASE("numbers of all ranks travel while the ranks do something else") {
+  const Communicator& comm = test_world();
+  EverywhereGather gather(comm, numbers_of(comm.rank()).size());
+  CHECK(gather.size() == numbers_of_all(comm).size());
+  for (int round = 0; round < 3; ++round) {
+    std::vector<double> own = numbers_of(comm.rank()), all = numbers_of_all(comm);
+    for (double& x : own) x += round;
+    for (double& x : all) x += round;
+    CHECK_FALSE(gather.under_way());
+    gather.start(own);
+    own.clear();
+    CHECK(comm.max(comm.rank()) == comm.size() - 1);  // another collective in between
+    CHECK(gather.under_way());
+    CHECK(gather.finish() == all);
+  }
+  // Of another size from now on; one that nobody finishes does no harm.
+  gather = EverywhereGather(comm, 1);
+  gather.start({double(comm.rank())});
+}

@@ -8,12 +8,26 @@
 namespace icebow {
 namespace {
 
+constexpr float ever = std::numeric_limits<float>::max();
+
 // Coulomb: the hull drags the sliding particle, at most to its own speed.
 Vec3 friction(double mu, const Vec3& relative_velocity, const Vec3& normal, double normal_delta_v) {
   const Vec3 tangential = relative_velocity - relative_velocity.dot(normal) * normal;
   const double speed = tangential.norm();
   if (speed == 0.0) return Vec3::Zero();
   return -std::min(1.0, mu * normal_delta_v / speed) * tangential;
+}
+
+// A bit for each particle of a block that may be inside after it has moved, and what the others may move.
+unsigned use_up(float moved, float* rest, float& least) {
+  for (int l = 0; l < block; ++l) rest[l] -= moved;
+  least = ever;
+  unsigned due = 0;
+  for (int l = 0; l < block; ++l) {
+    due |= static_cast<unsigned>(!(rest[l] > 0.0F)) << l;
+    least = std::min(least, rest[l] > 0.0F ? rest[l] : ever);
+  }
+  return due;
 }
 
 }  // namespace
@@ -142,7 +156,6 @@ std::vector<std::int64_t> HullContact::take_face_impulse() {
 
 // The particles of a block of which too little is known. Returns how many touch the hull.
 int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
-  constexpr float ever = std::numeric_limits<float>::max();
   const IceSheet& sheet = pass.sheet;
   const Layout& layout = sheet.layout;
   const std::size_t number = (std::size_t(jl) * layout.nz + k) * layout.blocks + b,
@@ -150,17 +163,12 @@ int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
   const double y = sheet.lattice.y(layout.j0 + jl), z = sheet.lattice.z(k);
   Watch& watch = blocks_[number];
   const float moved = std::exchange(watch.moved, 0.0F);
-  watch.least = ever;
   int contacts = 0;
-  for (int l = 0; l < block; ++l) {
+  for (unsigned due = use_up(moved, &rest_[number * block], watch.least); due; due &= due - 1) {
+    const int l = __builtin_ctz(due);
     float& rest = rest_[number * block + l];
-    rest -= moved;
-    if (rest > 0.0F) {
-      watch.least = std::min(watch.least, rest);
-      continue;
-    }
     HullDistance::Known& known = near_[number * block + l];
-    known.rest -= moved;
+    known.moved(moved);
     const std::size_t p = row + l;
     if (!sheet.mobile(jl, b * block + l) || settings_.crushing.used_up(sheet.crushed_depth[p])) {
       rest = ever;

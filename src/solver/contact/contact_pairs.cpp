@@ -2,29 +2,25 @@
 
 #include <algorithm>
 
-#include "solver/ice/bond_query.h"
-
 namespace icebow {
+namespace {
+
+constexpr std::size_t of_borrowed = 6;  // numbers: place, velocity
+
+}  // namespace
 
 void ContactPairs::find(const IceSheet& sheet) {
   all_.clear();
   const Patches patches(comm_, sheet, within_);
-  const BondQuery bonds(sheet);
-  std::vector<NearPair> near(std::size_t(patches.particles()) * patches.particles());
-  const float within2 = static_cast<float>(within_ * within_);
-  patches.for_each_meeting(within_, [&](const Patches::Patch& a, const Patches::Patch& b) {
-    const Kind kind = patches.is_own(b) ? both : b.image ? mirrored : alone;
-    const int found =
-        sheet.kernel.near_pairs({patches.places(a), a.lower, a.upper}, {patches.places(b), b.lower, b.upper},
-                                sheet.layout.nz, within2, &a == &b, near.data());
-    for (int n = 0; n < found; ++n) {
-      const auto [in_a, in_b] = near[n];
-      if (!bonds.alive(patches.in_lattice(a, in_a), patches.in_lattice(b, in_b)))
-        all_.push_back({a.number + in_a, b.number + in_b, kind});
-    }
-  });
+  const double within2 = within_ * within_;
+  for (const CandidatePairs::Candidate& c : candidates_.find(sheet, patches)) {
+    const auto [in_a, in_b] = c.particles;
+    if (!((patches.place(c.patch_b, in_b) - patches.place(c.patch_a, in_a)).squaredNorm() < within2))
+      continue;
+    const Patches::Patch &a = patches.all()[c.patch_a], &b = patches.all()[c.patch_b];
+    all_.push_back({a.number + in_a, b.number + in_b, patches.is_own(b) ? both : b.image ? mirrored : alone});
+  }
   keep_used(sheet, patches);
-  refresh(sheet);
 }
 
 // Other ranks' particles that this one needs, by their numbers.
@@ -43,7 +39,6 @@ void ContactPairs::keep_used(const IceSheet& sheet, const Patches& patches) {
   std::vector<double> all_wanted = comm_.gather_everywhere(wanted(patches));
   std::sort(all_wanted.begin(), all_wanted.end());
   all_wanted.erase(std::unique(all_wanted.begin(), all_wanted.end()), all_wanted.end());
-  shared_ = !all_wanted.empty();
 
   constexpr int used = 0;
   std::vector<int> place(std::size_t(patches.own()) * patches.particles(), -1);
@@ -68,6 +63,7 @@ void ContactPairs::keep_used(const IceSheet& sheet, const Patches& patches) {
       pair.second = own() + static_cast<int>(at - all_wanted.begin());
     }
   }
+  borrowed_ = EverywhereGather(comm_, of_borrowed * lent_.size());
   position_.assign(own_.size() + all_wanted.size(), Vec3::Zero());
   borrowed_velocity_.assign(all_wanted.size(), Vec3::Zero());
 }
@@ -104,31 +100,45 @@ void ContactPairs::place_own(const IceSheet& sheet) {
   }
 }
 
-void ContactPairs::refresh(const IceSheet& sheet) {
+// Place and velocity of each that is lent.
+template <class Real>
+void ContactPairs::send_lent(const IceSheet& sheet) {
+  std::vector<double> lent;
+  for (const int n : lent_) {
+    const std::size_t p = own_[n].address;
+    for (int c = 0; c < 3; ++c) lent.push_back(own_[n].reference[c] + sheet.u[c].data<Real>()[p]);
+    for (int c = 0; c < 3; ++c) lent.push_back(sheet.v[c].data<Real>()[p]);
+  }
+  borrowed_.start(lent);
+}
+
+void ContactPairs::send(const IceSheet& sheet) {
+  if (borrowed_.size() == 0) return;
   if (sheet.precision == Precision::fp64) {
-    place_own<double>(sheet);
-    if (shared_) exchange<double>(sheet);
+    send_lent<double>(sheet);
   } else {
-    place_own<float>(sheet);
-    if (shared_) exchange<float>(sheet);
+    send_lent<float>(sheet);
   }
 }
 
-template <class Real>
-void ContactPairs::exchange(const IceSheet& sheet) {
-  const Real* const all[3] = {sheet.v[0].data<Real>(), sheet.v[1].data<Real>(), sheet.v[2].data<Real>()};
-  std::vector<double> lent;
-  for (const int n : lent_) {
-    const Vec3 &x = position_[n], v = velocity(all, n);
-    lent.insert(lent.end(), {x.x(), x.y(), x.z(), v.x(), v.y(), v.z()});
+// In rank order, as the patches are: `wanted` of all ranks, one after the other.
+void ContactPairs::take_borrowed() {
+  const std::vector<double>& all = borrowed_.finish();
+  for (std::size_t n = 0; n < all.size() / of_borrowed; ++n) {
+    const double* const at = &all[of_borrowed * n];
+    position_[own_.size() + n] = Vec3(at[0], at[1], at[2]);
+    borrowed_velocity_[n] = Vec3(at[3], at[4], at[5]);
   }
-  // In rank order, as the patches are: `wanted` of all ranks, one after the other.
-  const std::vector<double> borrowed = comm_.gather_everywhere(lent);
-  for (std::size_t n = 0; n < borrowed.size() / 6; ++n) {
-    const double* v = &borrowed[6 * n];
-    position_[own_.size() + n] = Vec3(v[0], v[1], v[2]);
-    borrowed_velocity_[n] = Vec3(v[3], v[4], v[5]);
+}
+
+void ContactPairs::refresh(const IceSheet& sheet) {
+  if (!borrowed_.under_way()) send(sheet);
+  if (sheet.precision == Precision::fp64) {
+    place_own<double>(sheet);
+  } else {
+    place_own<float>(sheet);
   }
+  if (borrowed_.under_way()) take_borrowed();
 }
 
 }  // namespace icebow

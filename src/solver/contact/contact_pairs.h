@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/collective.h"
 #include "base/communicator.h"
 #include "base/vec.h"
+#include "solver/contact/candidate_pairs.h"
 #include "solver/contact/patches.h"
 #include "solver/ice/sheet.h"
 
@@ -26,11 +28,17 @@ class ContactPairs {
   };
 
   // Pairs nearer than `within` [m].
-  ContactPairs(const Communicator& comm, double within) : comm_(comm), within_(within) {}
+  ContactPairs(const Communicator& comm, double within)
+      : comm_(comm), within_(within), candidates_(within), borrowed_(comm, 0) {}
 
-  // Both collective.
+  // The ice has been renumbered since pairs were found.
+  void forget() { candidates_.forget(); }
+  // All collective.
   void find(const IceSheet& sheet);
-  void refresh(const IceSheet& sheet);  // where the particles of the pairs are now
+  // Where the particles of the pairs are now. What other ranks need of it may be sent before, as soon as this
+  // rank's particles have moved.
+  void send(const IceSheet& sheet);
+  void refresh(const IceSheet& sheet);
 
   const std::vector<Pair>& all() const { return all_; }  // in no order that means anything
   // The particles of the pairs: own ones by their place in the fields, then those of other ranks.
@@ -56,15 +64,17 @@ class ContactPairs {
   template <class Real>
   void place_own(const IceSheet& sheet);
   template <class Real>
-  void exchange(const IceSheet& sheet);
+  void send_lent(const IceSheet& sheet);
+  void take_borrowed();
 
   Communicator comm_;
   double within_;
+  CandidatePairs candidates_;
   std::vector<Pair> all_;
   std::vector<Own> own_;
   std::vector<Vec3> position_, borrowed_velocity_;
   std::vector<int> lent_;  // own ones that other ranks need
-  bool shared_ = false;    // whether any rank needs another's
+  EverywhereGather borrowed_;
 };
 
 }  // namespace icebow

@@ -38,8 +38,14 @@ class FloeContact {
               const EnergyModel& model);
   bool acts() const { return acts_; }
 
-  // Both collective.
+  // The ice has been renumbered since pairs were found.
+  void renumbered() { pairs_.forget(); }
+  // All collective.
   void find_pairs(const IceSheet& sheet);
+  // The ice has moved: sends what other ranks need of it. May be left out.
+  void send(const IceSheet& sheet) {
+    if (acts_) pairs_.send(sheet);
+  }
   // Adds to the accelerations of this rank's ice, which must hold the bonds' part and which the hull has
   // struck (by place).
   FloeWork apply(IceSheet& sheet, const std::vector<HullStrike>& strikes);

@@ -25,10 +25,6 @@ Patches::Patches(const Communicator& comm, const IceSheet& sheet, double within)
   places_.reserve(all.size());
   for (std::size_t n = 0; n + size <= all.size(); n += size) add(sheet.lattice, &all[n]);
   if (sheet.lattice.half) add_images(within);
-  by_y_.resize(patches_.size());
-  std::iota(by_y_.begin(), by_y_.end(), 0);
-  std::sort(by_y_.begin(), by_y_.end(),
-            [this](int a, int b) { return patches_[a].lower[1] < patches_[b].lower[1]; });
 }
 
 // Of the own patches: of_patch numbers, and the particles' places as places() has them.

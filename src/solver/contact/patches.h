@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/communicator.h"
+#include "base/vec.h"
 #include "solver/ice/bond_query.h"
 #include "solver/ice/sheet.h"
 
@@ -23,15 +24,17 @@ class Patches {
   // Collective. Images of what is nearer than `within` [m] to the plane.
   Patches(const Communicator& comm, const IceSheet& sheet, double within);
 
-  // visit(patch, patch) for those of which particles may be nearer than `within` to each other, without
-  // bonds: the first is this rank's; once where both are. A patch meets itself.
-  template <class Visit>
-  void for_each_meeting(double within, Visit visit) const;
+  const std::vector<Patch>& all() const { return patches_; }
 
   int particles() const { return layers_ * block; }  // of a patch
   // [layer][x, y, z][lane], far away where there is none.
   const float* places(const Patch& p) const {
     return &places_[(&p - patches_.data()) * std::size_t(3 * particles())];
+  }
+  Vec3 place(int patch, int particle) const {
+    const float* const x =
+        &places_[(std::size_t(patch) * layers_ + particle / block) * 3 * block + particle % block];
+    return {x[0], x[block], x[2 * block]};
   }
   BondQuery::Place in_lattice(const Patch& p, int particle) const {
     return {p.b * block + particle % block, p.j, particle / block};
@@ -51,33 +54,6 @@ class Patches {
   int layers_, own_ = 0, first_ = 0;
   std::vector<Patch> patches_;
   std::vector<float> places_;
-  std::vector<int> by_y_;  // patches by the lower ends of their boxes across the course
 };
-
-// Ice that hangs together: no particle of the one can touch one of the other.
-inline bool hang_together(const Patches::Patch& a, const Patches::Patch& b) {
-  return !a.cracked && !b.cracked && std::abs(a.j - b.j) < reach && std::abs(a.b - b.b) <= 1;
-}
-
-inline bool boxes_meet(const Patches::Patch& a, const Patches::Patch& b, int axis, float within) {
-  return a.lower[axis] <= b.upper[axis] + within && b.lower[axis] <= a.upper[axis] + within;
-}
-
-template <class Visit>
-void Patches::for_each_meeting(double distance, Visit visit) const {
-  const float within = static_cast<float>(distance);
-  for (auto at = by_y_.begin(); at != by_y_.end(); ++at) {
-    const Patch& a = patches_[*at];
-    for (auto next = at; next != by_y_.end() && patches_[*next].lower[1] <= a.upper[1] + within; ++next) {
-      const Patch& b = patches_[*next];
-      if (!boxes_meet(a, b, 0, within) || !boxes_meet(a, b, 2, within) || hang_together(a, b)) continue;
-      if (is_own(a)) {
-        visit(a, b);
-      } else if (is_own(b)) {
-        visit(b, a);
-      }
-    }
-  }
-}
 
 }  // namespace icebow

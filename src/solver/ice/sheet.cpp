@@ -209,6 +209,14 @@ void IceSheet::find_cracks() {
   std::visit(find, work_);
 }
 
+// The sum of the words: a bond that breaks takes a bit out of one.
+std::int64_t IceSheet::bond_mark(int jl, int b) const {
+  const std::uint16_t* const there = &there_[(std::size_t(jl) * layout.blocks + b) * bonds_there_];
+  std::uint32_t sum = 0;
+  for (int n = 0; n < bonds_there_; ++n) sum += there[n];
+  return sum;
+}
+
 template <class Real>
 LinearFields<Real> IceSheet::linear_fields(int jl) {
   const std::size_t r = layout.row(jl, 0);

@@ -89,6 +89,9 @@ class IceSheet {
   std::int64_t dilatation() { return dilatation(0, layout.columns); }
   std::int64_t force() { return force(0, layout.columns); }
 
+  // Falls whenever a bond of a particle of an own block of all layers breaks.
+  std::int64_t bond_mark(int jl, int b) const;
+
   // The lowest column whose bonds reach into this rank's part.
   int first_column() const { return partition.south >= 0 || lattice.half ? -reach : 0; }
 

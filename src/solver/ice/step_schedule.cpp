@@ -13,8 +13,9 @@ StepSchedule::StepSchedule(const Communicator& comm, IceSheet& sheet, PhaseTimer
                      {&sheet.u[0], &sheet.u[1], &sheet.u[2], &sheet.extra_strength}, ghost_blocks, 0),
       dilatations_(comm, sheet.partition, sheet.layout, {&sheet.theta}, ghost_blocks, 1) {}
 
-std::int64_t StepSchedule::run(const Move& move) {
+std::int64_t StepSchedule::run(const Move& move, const std::function<void()>& moved) {
   displace(move);
+  moved();
   const std::int64_t broken = dilate();
   return broken + accelerate();
 }
@@ -40,11 +41,14 @@ std::int64_t StepSchedule::look_again() {
 void StepSchedule::displace(const Move& move) {
   Halo& halo = displacements_;
   const int n = sheet_.layout.columns, low = std::min(reach, n), high = std::max(low, n - reach);
+  const bool apart = n >= 2 * reach;  // the edges
   halo.start();
-  move(0, low);
+  // The northern one first: there is no hull for which the neighbour would have to wait.
   if (high < n) move(high, n);
+  if (apart) halo.send(Halo::north);
+  move(0, low);
   halo.send(Halo::south);
-  halo.send(Halo::north);
+  if (!apart) halo.send(Halo::north);
   timer_.lap(Phase::halo_u);
   for (int c = 0; c < halo.chunks(); ++c) {
     const int begin = std::max(low, halo.chunk_begin(c)), end = std::min(high, halo.chunk_end(c));

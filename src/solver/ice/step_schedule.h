@@ -20,9 +20,10 @@ class StepSchedule {
 
   // Displaces the owned columns [jl0, jl1) for good: drift, contact.
   using Move = std::function<void(int jl0, int jl1)>;
-  // Moves every column once, then breaks bonds and sums their accelerations. Returns how many of this rank's
-  // own bonds broke. Every rank calls it at every step.
-  std::int64_t run(const Move& move);
+  // Moves every column once and calls moved(), then breaks bonds and sums their accelerations. Returns how
+  // many of this rank's own bonds broke. Every rank calls it at every step.
+  std::int64_t run(
+      const Move& move, const std::function<void()>& moved = [] {});
 
   // Collective: the neighbours' displacements, after something other than a step has changed them.
   void refresh();

@@ -225,11 +225,9 @@ struct LinearPasses {
 };
 constexpr int most_linear_layers = 5;
 
-// Largest sums of squared displacement differences of nearest neighbours [m^2].
-template <class Real>
-struct Roughness {
-  Real within, across;  // along x and z; to the next column
-};
+// What is known of a block of a column: nearest neighbours displaced alike along x and z, and from it to the
+// next column.
+enum Flatness : std::uint8_t { flat_within = 1, flat_across = 2 };
 
 template <class Real>
 struct Passes {
@@ -255,10 +253,10 @@ struct Passes {
   // Adds it to their accelerations; returns the energy that the water takes [J].
   double (*water_push)(const WaterFields<Real>&, const WaterLaw&, const WaterColumns&);
   LinearPasses<Real> linear[most_linear_layers];  // [layers - 1]
-  // Of block b and a bond's reach beyond it; has_next is 1 where a particle and the next along x exist, else
-  // 0.
-  // Where it is more than `limit` within the column, more may not be found.
-  Roughness<Real> (*roughness)(const LinearFields<Real>&, int nz, int b, const Real* has_next, Real limit);
+  // Flatness of block b and a bond's reach beyond it: squared displacement differences of nearest neighbours
+  // up to the limit [m^2]. has_next is 1 where a particle and the next along x exist, else 0. A block that is
+  // not flat within is not looked at further.
+  std::uint8_t (*flatness)(const LinearFields<Real>&, int nz, int b, const Real* has_next, Real limit);
 };
 
 // Two particles of two blocks: layer * block + lane.

@@ -284,7 +284,7 @@ constexpr Passes<Real> passes() {
           water_push<Real>,
           {linear_passes<Real, 1>(), linear_passes<Real, 2>(), linear_passes<Real, 3>(),
            linear_passes<Real, 4>(), linear_passes<Real, 5>()},
-          roughness<Real>};
+          flatness<Real>};
 }
 
 }  // namespace

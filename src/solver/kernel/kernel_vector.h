@@ -32,13 +32,24 @@ struct Simd {
   static V splat(Real x) { return x - V{}; }
   static V max(V a, V b) { return a > b ? a : b; }
   static Real largest(V v) {
+#if ICEBOW_VECTOR_BYTES == 64
+    if constexpr (sizeof(Real) == 4) {
+      const __m256 of8 =
+          _mm256_max_ps(_mm512_castps512_ps256((__m512)v), _mm512_extractf32x8_ps((__m512)v, 1));
+      const __m128 of4 = _mm_max_ps(_mm256_castps256_ps128(of8), _mm256_extractf128_ps(of8, 1)),
+                   of2 = _mm_max_ps(of4, _mm_movehl_ps(of4, of4));
+      return _mm_cvtss_f32(_mm_max_ss(of2, _mm_movehdup_ps(of2)));
+    }
+#endif
     Real part[lanes];
     store(part, v);
     for (int half = lanes / 2; half > 0; half /= 2)
       for (int l = 0; l < half; ++l) part[l] = part[l] > part[l + half] ? part[l] : part[l + half];
     return part[0];
   }
-  static V min(V a, V b) { return a < b ? a : b; }
+  static V min(V a, V b) {
+    return a < b ? a : b;
+  }
   // max(a, |b|), a >= 0.
   static V larger_magnitude(V a, V b) {
 #if ICEBOW_VECTOR_BYTES == 64

@@ -27,8 +27,10 @@ void LinearBlocks<Real>::settle(const Ice& ice, int jl) {
   for (; measured_ < std::min(jl + reach + 1, columns_ + reach); ++measured_) measure(ice, measured_);
   std::uint8_t* const linear = &linear_[std::size_t(jl) * blocks_];
   for (int b = 0; b < blocks_; ++b) linear[b] = !ice.crush[b];
+  // The own column first: in broken ice it is often the last.
+  if (!require(linear, jl, flat_within | flat_across)) return;
   for (int other = jl - reach; other < jl + reach; ++other) require(linear, other, flat_within | flat_across);
-  require(linear, jl + reach, flat_within);
+  if (!require(linear, jl + reach, flat_within)) return;
   for (int k = 0; k < nz_; ++k)
     for (int b = 0; b < blocks_; ++b)
       linear[b] &= static_cast<std::uint8_t>(!(ice.states[k * ice.layer + b] & cracked));
@@ -47,16 +49,18 @@ void LinearBlocks<Real>::measure(const Ice& ice, int jl) {
   // The copies north of the last one end there.
   if (j + 1 >= ny_ || jl + 1 >= columns_ + reach) f.column = 0;
   for (int b = 0; b < blocks_; ++b) {
-    const Roughness<Real> r = ice.passes.roughness(f, nz_, b, &has_next_[ghost_blocks * block], limit2_);
-    facts(jl)[b] = static_cast<std::uint8_t>((r.within <= limit2_ ? flat_within : 0) |
-                                             (r.across <= limit2_ ? flat_across : 0));
+    facts(jl)[b] = ice.passes.flatness(f, nz_, b, &has_next_[ghost_blocks * block], limit2_);
   }
 }
 
+// Whether any block is left.
 template <class Real>
-void LinearBlocks<Real>::require(std::uint8_t* linear, int jl, std::uint8_t wanted) {
+bool LinearBlocks<Real>::require(std::uint8_t* linear, int jl, std::uint8_t wanted) {
   const std::uint8_t* const known = facts(jl);
-  for (int b = 0; b < blocks_; ++b) linear[b] &= static_cast<std::uint8_t>((known[b] & wanted) == wanted);
+  std::uint8_t any = 0;
+  for (int b = 0; b < blocks_; ++b)
+    any |= linear[b] &= static_cast<std::uint8_t>((known[b] & wanted) == wanted);
+  return any != 0;
 }
 
 template <class Real>

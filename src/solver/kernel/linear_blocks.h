@@ -41,12 +41,10 @@ class LinearBlocks {
   std::int64_t count() const;  // linear blocks in the last step
 
  private:
-  // What is known of a block of a column: nearest neighbours displaced alike within the column, and between
-  // it and the next one.
-  enum : std::uint8_t { flat_within = 1, flat_across = 2 };
+  // Flatness of a block of a column.
   std::uint8_t* facts(int jl) { return &facts_[std::size_t(jl + reach) * blocks_]; }
   void measure(const Ice& ice, int jl);
-  void require(std::uint8_t* linear, int jl, std::uint8_t wanted);
+  bool require(std::uint8_t* linear, int jl, std::uint8_t wanted);
 
   int blocks_, columns_, nz_, j0_, lowest_, ny_;  // lowest_: column of the sheet, mirror images included
   Real limit2_;

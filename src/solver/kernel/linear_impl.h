@@ -254,13 +254,12 @@ Real linear_force(const LinearFields<Real>& fields, const LinearWeights<Real>& w
 
 // Largest sums of squared displacement differences between nearest neighbours, of all lanes within a bond's
 // reach of block b: within this column, and between it and the next one. Stops where the former is beyond the
-// limit: the block is rough then.
 template <class Real>
-Roughness<Real> roughness(const LinearFields<Real>& f, int nz, int b, const Real* has_next, Real limit) {
+std::uint8_t flatness(const LinearFields<Real>& f, int nz, int b, const Real* has_next, Real limit) {
   using S = Simd<Real>;
   using V = typename S::V;
   constexpr int first = -reach, last = block + reach;
-  V within = {}, across = {};
+  V across = {};
   for (int lane = first; lane < last; lane += S::lanes) {
     const std::ptrdiff_t x = std::ptrdiff_t(b) * block + std::min(lane, last - S::lanes);
     const V next = S::load(has_next + x);
@@ -276,12 +275,11 @@ Roughness<Real> roughness(const LinearFields<Real>& f, int nz, int b, const Real
           in_column += up * up;
         }
       }
-      within = S::max(within, in_column);
+      if (S::any(!(in_column <= limit))) return 0;
       across = S::max(across, to_next);
-      if (S::any(within > limit)) return {S::largest(within), S::largest(across)};
     }
   }
-  return {S::largest(within), S::largest(across)};
+  return S::any(!(across <= limit)) ? flat_within : flat_within | flat_across;
 }
 
 template <class Real, int nz>

@@ -16,6 +16,10 @@ inline constexpr double in_plane = 0.5;
 // Doubles from a field of either precision.
 template <class Real>
 inline Simd<double>::V load_double(const Real* p) {
+#if ICEBOW_VECTOR_BYTES == 64
+  // GCC converts halves of a vector and puts them together.
+  if constexpr (sizeof(Real) == sizeof(float)) return (Simd<double>::V)_mm512_cvtps_pd(_mm256_loadu_ps(p));
+#endif
   typedef Real From __attribute__((vector_size(sizeof(Real) * Simd<double>::lanes)));
   From from;
   std::memcpy(&from, p, sizeof from);
@@ -23,6 +27,12 @@ inline Simd<double>::V load_double(const Real* p) {
 }
 template <class Real>
 inline void add_double(Real* p, Simd<double>::V v) {
+#if ICEBOW_VECTOR_BYTES == 64
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    _mm256_storeu_ps(p, _mm256_add_ps(_mm256_loadu_ps(p), _mm512_cvtpd_ps((__m512d)v)));
+    return;
+  }
+#endif
   typedef Real To __attribute__((vector_size(sizeof(Real) * Simd<double>::lanes)));
   To to;
   std::memcpy(&to, p, sizeof to);

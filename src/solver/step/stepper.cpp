@@ -97,7 +97,8 @@ void Stepper::step() {
   if (window_is_due(steps_)) move_window();
   ++steps_;
   contacts_ = 0;
-  const std::int64_t broke = schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); });
+  const std::int64_t broke = schedule_.run([this](int jl0, int jl1) { move(jl0, jl1); },
+                                           [this] { surroundings_.moved(sheet_, steps_); });
   broken_bonds_ += broke;
   if (broke > 0) mirror_bonds_beyond_ends(sheet_);
   // Before the surroundings: their work is counted by velocities, that of bonds by displacements, and the

@@ -23,11 +23,19 @@ class SurroundingForces {
                     const Material& material, const EnergyModel& model);
   bool act() const { return water_.acts() || floes_.acts() || edges_.acts(); }
 
+  // Collective. The ice has moved for good in the last of so many steps: what other ranks need of it travels
+  // from now on.
+  void moved(const IceSheet& sheet, std::int64_t steps) {
+    if (!may_pause(steps)) floes_.send(sheet);
+  }
   // Collective. Adds to the accelerations of the bonds after so many steps, in the last of which the hull
   // struck the ice. Returns the work of its relocations against other ice, in quanta.
   std::int64_t apply(IceSheet& sheet, std::int64_t steps, const std::vector<HullStrike>& strikes);
   // Collective. Where the ice has been renumbered, or a run goes on that has been interrupted.
-  void renumbered(const IceSheet& sheet) { floes_.find_pairs(sheet); }
+  void renumbered(const IceSheet& sheet) {
+    floes_.renumbered();
+    floes_.find_pairs(sheet);
+  }
 
   // Whether pairs of ice were looked for in the last of so many steps, as where a run goes on.
   bool may_pause(std::int64_t steps) const {

@@ -19,8 +19,7 @@ namespace {
 using Found =
     std::tuple<std::size_t, std::size_t, bool>;  // addresses, the lower first where both count; an image
 
-std::set<Found> found_pairs(const IceSheet& sheet, double within) {
-  ContactPairs pairs(Communicator::serial(), within);
+std::set<Found> found_pairs(const IceSheet& sheet, ContactPairs& pairs) {
   pairs.find(sheet);
   std::set<Found> found;
   for (const ContactPairs::Pair& pair : pairs.all()) {
@@ -88,11 +87,43 @@ TEST_CASE("pairs of ice that may touch are those near each other without a bond"
     }
     INFO("half model " << half);
     const double within = 1.25 * ice.lattice.dx;
-    const std::set<Found> found = found_pairs(ice.sheet, within), all = all_pairs(ice, within);
+    ContactPairs pairs(Communicator::serial(), within);
+    const std::set<Found> found = found_pairs(ice.sheet, pairs), all = all_pairs(ice, within);
     CHECK(found == all);
     CHECK(all.size() > 50);
     const auto images = std::count_if(all.begin(), all.end(), [](const Found& f) { return std::get<2>(f); });
     CHECK((images > 0) == half);
+  }
+}
+
+// Pairs are looked for anew only where ice has moved or cracked.
+TEST_CASE("pairs of ice that moves and breaks are the same whether they were looked for before or not") {
+  for (const bool half : {false, true}) {
+    Scenario s = block_scenario(64, 6, 2);
+    s.sheet.half_model = half;
+    IceBlock ice(s);
+    raft(ice);
+    INFO("half model " << half);
+    const double dx = ice.lattice.dx, within = 1.25 * dx;
+    ContactPairs pairs(Communicator::serial(), within);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> some(-0.002, 0.002);
+    for (int round = 0; round < 24; ++round) {
+      INFO("round " << round);
+      // One floe passes the other, which lies still but for its ends.
+      ice.for_each([&](int i, int, int, std::size_t p) {
+        const double part = i < 20 ? 0.0 : i < 48 ? 1.0 : 0.3;
+        const Vec3 way = dx * Vec3(0.05 * part + some(random), -0.03 * part, -0.06 * part);
+        for (int c = 0; c < 3; ++c) ice.sheet.u[c][p] = ice.sheet.u[c][p] + way[c];
+      });
+      // A crack at a place where nothing moves, or between two that move.
+      if (round % 6 == 3) {
+        const int at = 4 + 9 * (round / 6);
+        cut(ice.sheet, [&](int i, int, int, const Offset& o) { return (i < at) != (i + o.di < at); });
+      }
+      REQUIRE(found_pairs(ice.sheet, pairs) == all_pairs(ice, within));
+    }
+    CHECK(all_pairs(ice, within).size() > 100);
   }
 }
 
