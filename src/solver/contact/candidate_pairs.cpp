@@ -11,7 +11,7 @@ namespace icebow {
 namespace {
 
 // Of the distance within which pairs are wanted: how much further apart candidates may be. Patches that move
-// with the ship are looked at every third time.
+// with the ship are looked at every fourth time.
 constexpr double slack = 0.4;
 // What a patch's particles may move until it is looked at again: with room for rounding less than half of
 // that.
