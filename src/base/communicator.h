@@ -1,5 +1,5 @@
-// A group of ranks. MPI stays behind this wall: only communicator_native.cpp, solver/ice/halo.cpp and
-// base/parallel_file.cpp include <mpi.h>.
+// A group of ranks. MPI stays behind this wall: only communicator_native.cpp and solver/ice/halo.cpp include
+// <mpi.h>.
 //
 // Two ways to be alone: without MPI at all (serial(), a program not started by mpirun) or as a group of one
 // rank. Every call named collective must be made by all ranks of the group, with arguments of the same size.
@@ -35,7 +35,8 @@ class Communicator {
   double max(double value) const;
   bool all(bool value) const;  // true where every rank says true
   bool any(bool value) const;
-  // Sends `bytes` to rank `to` while it receives as many from rank `from`; -1 = nobody.
+  // Sends `bytes` to rank `to` while it receives as many from rank `from`; -1 = nobody. At most
+  // largest_message.
   void shift(const void* outgoing, int to, void* incoming, int from, std::size_t bytes) const;
   // Every rank gets the numbers of all, in rank order.
   std::vector<double> gather_everywhere(const std::vector<double>& own,

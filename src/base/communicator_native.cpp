@@ -121,8 +121,9 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
 void Communicator::shift(const void* outgoing, int to, void* incoming, int from, std::size_t bytes) const {
   if (!native_) return;
   const int n = static_cast<int>(bytes), tag = 1;
-  MPI_Sendrecv(outgoing, n, MPI_BYTE, to < 0 ? MPI_PROC_NULL : to, tag, incoming, n, MPI_BYTE,
-               from < 0 ? MPI_PROC_NULL : from, tag, native_->comm, MPI_STATUS_IGNORE);
+  MPI_Sendrecv(outgoing, to < 0 ? 0 : n, MPI_BYTE, to < 0 ? MPI_PROC_NULL : to, tag, incoming,
+               from < 0 ? 0 : n, MPI_BYTE, from < 0 ? MPI_PROC_NULL : from, tag, native_->comm,
+               MPI_STATUS_IGNORE);
 }
 
 std::vector<double> Communicator::gather_everywhere(const std::vector<double>& own,

@@ -1,5 +1,4 @@
-// The MPI side of Communicator: for communicator_native.cpp, solver/ice/halo.cpp and base/parallel_file.cpp
-// only.
+// The MPI side of Communicator: for communicator_native.cpp and solver/ice/halo.cpp only.
 #pragma once
 
 #include <mpi.h>

@@ -7,11 +7,17 @@
 #include <cstdio>
 
 #include "base/collective.h"
-#include "base/communicator_native.h"
 #include "base/errors.h"
 
 namespace icebow {
 namespace {
+
+// At the end of the program HDF5 would try again, and crash, on a file that a full disk left unfinished;
+// those that were closed are whole. HDF5 that begins after MPI would end with MPI: it begins before main.
+[[maybe_unused]] const bool begun = [] {
+  H5dont_atexit();
+  return H5open() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+}();
 
 // An identifier of HDF5, given back at the end of its life.
 class Handle {
@@ -30,7 +36,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-// What HDF5 says went wrong, from the innermost call.
+// What HDF5 says went wrong, from the innermost call; of what it says of a disk the system's words alone.
 std::string last_error() {
   std::string text;
   const auto take = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
@@ -39,14 +45,18 @@ std::string last_error() {
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &text);
-  return text;
+  const std::string before = "error message = '";
+  const std::size_t words = text.find(before), end = text.find('\'', words + before.size());
+  if (words != std::string::npos && end != std::string::npos)
+    return text.substr(words + before.size(), end - words - before.size());
+  return text.empty() ? "HDF5 does not say why" : text;
 }
 
 std::vector<hsize_t> sizes(const std::vector<std::uint64_t>& values) {
   return {values.begin(), values.end()};
 }
 
-// MPI-IO has no place for an array without elements.
+// Chunks have no place for an array without elements.
 bool is_empty(const Slab& slab) {
   for (std::uint64_t n : slab.extent) {
     if (n == 0) return true;
@@ -79,6 +89,12 @@ hid_t text_type(std::uint64_t width) {
   return type;
 }
 
+std::uint64_t elements(const Slab& slab) {
+  std::uint64_t n = 1;
+  for (const std::uint64_t along : slab.count) n *= along;
+  return n;
+}
+
 // A selection of HDF5; nothing where a count is 0.
 hid_t selection(const Slab& slab) {
   const std::vector<hsize_t> extent = sizes(slab.extent), start = sizes(slab.start),
@@ -105,52 +121,91 @@ Slab Slab::nothing(const std::vector<std::uint64_t>& extent) {
   return {extent, std::vector<std::uint64_t>(extent.size(), 0), std::vector<std::uint64_t>(extent.size(), 0)};
 }
 
+// Where a disk fails while several ranks write one file by MPI-IO, those it does not touch wait for ever in
+// HDF5. So the root alone writes: the others send it their parts, one after the other. To read, each rank
+// opens the file by itself.
 struct ParallelFile::Native {
   Communicator comm;
   std::string path;
-  hid_t file = H5I_INVALID_HID, transfer = H5P_DEFAULT;
-  const char* doing = "read";
-  bool checksums = false;
+  hid_t file = H5I_INVALID_HID;
+  bool writing = false, checksums = false;
 
-  Native(const Communicator& c, const std::string& p) : comm(c), path(p) {}
+  Native(const Communicator& c, const std::string& p, bool w) : comm(c), path(p), writing(w) {}
   ~Native() {
-    if (transfer != H5P_DEFAULT) H5Pclose(transfer);
     if (file >= 0) H5Fclose(file);
   }
 
-  // Through MPI-IO, and together, where there is more than one rank.
-  hid_t access() {
-    // At the end of the program HDF5 would try again, and crash, on a file that a full disk left unfinished.
-    // Those that were closed are whole.
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  bool has_file() const { return !writing || comm.is_root(); }
+
+  static hid_t access() {
     const hid_t properties = H5Pcreate(H5P_FILE_ACCESS);
-    if (comm.size() == 1) return properties;
-    H5Pset_fapl_mpio(properties, comm.native()->comm, MPI_INFO_NULL);
-    transfer = H5Pcreate(H5P_DATASET_XFER);
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    // Nobody reads a file before it has its name, and some file systems have no locks.
+    H5Pset_file_locking(properties, false, true);
     return properties;
   }
 
   void agree(bool ok, const std::string& why) const {
-    fail_together(comm, ok ? "" : "cannot " + std::string(doing) + " " + path + ": " + why);
+    fail_together(comm, ok ? "" : "cannot " + std::string(writing ? "write " : "read ") + path + ": " + why);
   }
   void agree(bool ok) const { agree(ok, ok ? std::string() : last_error()); }
 
-  void write(const std::string& name, hid_t type, const Slab& in_file, const void* memory,
-             const Slab& in_memory) const {
-    assert(in_file.count.size() == in_file.extent.size());
-    const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
-    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  hid_t new_set(const std::string& name, hid_t type, const Slab& in_file) const {
+    const Handle there(selection(in_file), H5Sclose), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     if (checksums && !is_empty(in_file)) {
       const std::vector<hsize_t> part = part_of(in_file.extent, H5Tget_size(type));
       H5Pset_chunk(layout, static_cast<int>(part.size()), part.data());
       H5Pset_fletcher32(layout);
     }
-    const Handle set(H5Dcreate2(file, name.c_str(), type, there, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose);
-    agree(set.ok());
+    return H5Dcreate2(file, name.c_str(), type, there, H5P_DEFAULT, layout, H5P_DEFAULT);
+  }
+
+  void write(const std::string& name, hid_t type, const Slab& in_file, const void* memory,
+             const Slab& in_memory) const {
+    assert(in_file.count.size() == in_file.extent.size());
+    const Handle set(has_file() ? new_set(name, type, in_file) : H5I_INVALID_HID, H5Dclose);
+    agree(!has_file() || set.ok());
     if (is_empty(in_file)) return;
-    agree(H5Dwrite(set, type, here, there, transfer, memory) >= 0);
+    std::vector<std::uint64_t> own = in_file.start;
+    own.insert(own.end(), in_file.count.begin(), in_file.count.end());
+    const std::vector<std::uint64_t> boxes = gather(comm, own);
+    std::string trouble;
+    if (has_file()) {
+      const Handle there(selection(in_file), H5Sclose), here(selection(in_memory), H5Sclose);
+      if (H5Dwrite(set, type, here, there, H5P_DEFAULT, memory) < 0) trouble = last_error();
+      for (int rank = 1; rank < comm.size(); ++rank) {
+        const auto at = boxes.begin() + static_cast<std::ptrdiff_t>(own.size()) * rank;
+        const auto middle = at + static_cast<std::ptrdiff_t>(in_file.extent.size());
+        const Slab part{in_file.extent, {at, middle}, {middle, at + static_cast<std::ptrdiff_t>(own.size())}};
+        write_part_of(rank, set, type, part, trouble);
+      }
+    } else {
+      send(type, memory, in_memory);
+    }
+    agree(trouble.empty(), trouble);
+  }
+
+  // Where there was trouble before, the rank's part is taken and let go.
+  void write_part_of(int rank, hid_t set, hid_t type, const Slab& part, std::string& trouble) const {
+    std::vector<char> bytes(elements(part) * H5Tget_size(type));
+    for (std::size_t at = 0; at < bytes.size(); at += Communicator::largest_message)
+      comm.shift(nullptr, -1, bytes.data() + at, rank,
+                 std::min(bytes.size() - at, Communicator::largest_message));
+    if (bytes.empty() || !trouble.empty()) return;
+    const hsize_t n = elements(part);
+    const Handle there(selection(part), H5Sclose), here(H5Screate_simple(1, &n, nullptr), H5Sclose);
+    if (H5Dwrite(set, type, here, there, H5P_DEFAULT, bytes.data()) < 0) trouble = last_error();
+  }
+
+  void send(hid_t type, const void* memory, const Slab& in_memory) const {
+    std::vector<char> bytes(elements(in_memory) * H5Tget_size(type));
+    if (bytes.empty()) return;
+    const Handle here(selection(in_memory), H5Sclose);
+    [[maybe_unused]] const herr_t packed =
+        H5Dgather(here, memory, type, bytes.size(), bytes.data(), nullptr, nullptr);
+    assert(packed >= 0);
+    for (std::size_t at = 0; at < bytes.size(); at += Communicator::largest_message)
+      comm.shift(bytes.data() + at, 0, nullptr, -1,
+                 std::min(bytes.size() - at, Communicator::largest_message));
   }
 
   void read(const std::string& name, hid_t type, const Slab& in_file, void* memory,
@@ -161,7 +216,7 @@ struct ParallelFile::Native {
         here(selection(in_memory), H5Sclose);
     agree(H5Sextent_equal(stored, there) > 0, name + " has another size than it should");
     if (is_empty(in_file)) return;
-    agree(H5Dread(set, type, here, there, transfer, memory) >= 0);
+    agree(H5Dread(set, type, here, there, H5P_DEFAULT, memory) >= 0);
   }
 
   static hid_t native_type(Type type) {
@@ -191,28 +246,31 @@ struct ParallelFile::Native {
   }
 };
 
-ParallelFile::ParallelFile(const Communicator& comm, const std::string& path)
-    : native_(std::make_unique<Native>(comm, path)) {}
+ParallelFile::ParallelFile(const Communicator& comm, const std::string& path, bool writing)
+    : native_(std::make_unique<Native>(comm, path, writing)) {}
 ParallelFile::ParallelFile(ParallelFile&&) noexcept = default;
 ParallelFile::~ParallelFile() = default;
 
 ParallelFile ParallelFile::create(const Communicator& comm, const std::string& path, Checksums checksums) {
-  ParallelFile f(comm, path);
+  ParallelFile f(comm, path, true);
   Native& n = *f.native_;
-  n.doing = "write";
   n.checksums = checksums == Checksums::yes;
-  const Handle access(n.access(), H5Pclose);
-  // HDF5's records have checksums in the formats from 1.10 on only.
-  if (n.checksums) H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-  n.file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  n.agree(n.file >= 0);
+  if (n.has_file()) {
+    const Handle access(Native::access(), H5Pclose);
+    // HDF5's records have checksums in the formats from 1.10 on only.
+    if (n.checksums) H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+    n.file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    n.agree(n.file >= 0);
+  } else {
+    n.agree(true);
+  }
   return f;
 }
 
 ParallelFile ParallelFile::open(const Communicator& comm, const std::string& path) {
-  ParallelFile f(comm, path);
+  ParallelFile f(comm, path, false);
   Native& n = *f.native_;
-  const Handle access(n.access(), H5Pclose);
+  const Handle access(Native::access(), H5Pclose);
   n.file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   n.agree(n.file >= 0);
   return f;
@@ -229,6 +287,7 @@ std::uint64_t ParallelFile::of_root(std::uint64_t value) const {
 }
 
 void ParallelFile::group(const std::string& name) {
+  if (!native_->has_file()) return native_->agree(true);
   const Handle made(H5Gcreate2(native_->file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   native_->agree(made.ok());
 }
@@ -297,6 +356,7 @@ std::vector<std::string> ParallelFile::read_texts(const std::string& name) {
 
 void ParallelFile::attribute(const std::string& object, const std::string& name,
                              const std::vector<std::int64_t>& values) {
+  if (!native_->has_file()) return native_->agree(true);
   const hsize_t n = values.size();
   const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose);
   const Handle made(H5Acreate_by_name(native_->file, object.c_str(), name.c_str(), H5T_NATIVE_INT64, space,
@@ -306,6 +366,7 @@ void ParallelFile::attribute(const std::string& object, const std::string& name,
 }
 
 void ParallelFile::attribute(const std::string& object, const std::string& name, const std::string& text) {
+  if (!native_->has_file()) return native_->agree(true);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, text.size());
   H5Tset_strpad(type, H5T_STR_NULLPAD);
@@ -316,9 +377,9 @@ void ParallelFile::attribute(const std::string& object, const std::string& name,
 }
 
 void ParallelFile::close() {
-  const hid_t file = native_->file;
+  const hid_t file = native_->file;  // none where the root alone writes
   native_->file = H5I_INVALID_HID;
-  native_->agree(H5Fclose(file) >= 0);
+  native_->agree(file < 0 || H5Fclose(file) >= 0);
 }
 
 }  // namespace icebow

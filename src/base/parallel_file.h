@@ -1,5 +1,6 @@
 // HDF5 behind a wall: one file that all ranks of a group write or read together, each its part of global
-// arrays. With one rank it is an ordinary file and MPI is not needed.
+// arrays. The root has the file and writes what the others send, one rank's part of one array at a time; to
+// read, each rank opens it.
 //
 // Every call is collective, with the same name on all ranks. Whatever goes wrong on any rank becomes one
 // RuntimeError on all of them; it names the file.
@@ -79,7 +80,7 @@ class ParallelFile {
  private:
   enum class Type { f32, f64, i8, u8, i16, u16, i32, u32, i64, u64 };
   struct Native;
-  ParallelFile(const Communicator& comm, const std::string& path);
+  ParallelFile(const Communicator& comm, const std::string& path, bool writing);
 
   template <class T>
   static constexpr Type type_of() {

@@ -3,10 +3,12 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import shutil
 import sqlite3
 import subprocess
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -73,6 +75,8 @@ class Place:
         try:
             out, err = process.communicate(timeout=timeout)
         except subprocess.TimeoutExpired:
+            process.terminate()  # mpirun ends its ranks, which are in groups of their own
+            time.sleep(3)
             os.killpg(process.pid, 9)
             process.communicate()
             return subprocess.CompletedProcess(words, None, "", f"no answer in {timeout} s")
@@ -122,8 +126,15 @@ def outcome_of(place, directory):
     return rows_of(directory), histories_of(directory), lasting(json.loads(ranking.stdout)) if ranking.returncode == 0 else None
 
 
+def without_words_of_mpirun(text):
+    """What mpirun says of a program that ended with an error stands between two lines of hyphens."""
+    return re.sub(r"^-{60,}\n.*?^-{60,}\n", "", text, flags=re.DOTALL | re.MULTILINE)
+
+
 def is_one_sentence(text):
     """A message of a few lines, without a stack trace."""
+    text = without_words_of_mpirun(text)
     lines = [line for line in text.splitlines() if line.strip()]
-    banned = ("terminate called", "what():", "Segmentation", "AddressSanitizer", "runtime error", "json.exception", "std::bad_alloc")
+    banned = ("terminate called", "what():", "Segmentation", "AddressSanitizer", "runtime error", "json.exception", "std::bad_alloc",
+              "*** An error occurred in MPI", "*** Process received signal")
     return 0 < len(lines) <= 6 and len(text) < 2500 and not any(word in text for word in banned)

@@ -33,6 +33,7 @@ static int is_wanted(int file) {
   const ssize_t n = readlink(link, path, sizeof path - 1);
   if (n <= 0 || path[0] != '/') return 0;
   path[n] = 0;
+  if (strstr(path, "/ompi.")) return 0; /* MPI's own, of the same name, in its session's directory */
   const char* name = strrchr(path, '/') + 1;
   return strstr(name, wanted) != NULL;
 }
