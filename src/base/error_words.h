@@ -18,8 +18,7 @@ inline bool is_of_machine(const std::exception& error) {
 }
 
 // what(), but memory that is short is told as such, and the JSON library's words stand without the mark
-// before them:
-// "[json.exception.out_of_range.403] key 'a' not found" is "key 'a' not found".
+// before them: "[json.exception.out_of_range.403] key 'a' not found" is "key 'a' not found".
 inline std::string in_words(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error))
     return "there is not enough memory: free some, raise the limit (ulimit -v), or work on fewer designs at "

@@ -157,6 +157,14 @@ Json parse_json(const std::string& text, const std::string& name) {
   return Json::parse(text);
 }
 
+Json json_or_null(const std::string& text) {
+  try {
+    return parse_json(text, "");
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
 Json read_json_file(const std::string& path) {
   return parse_json(read_text_file(path, most_json_bytes), path);
 }

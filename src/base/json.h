@@ -20,5 +20,7 @@ constexpr std::uint64_t most_json_bytes = std::uint64_t{1} << 28;
 // All JSON from outside this process is read by them.
 Json read_json_file(const std::string& path);
 Json parse_json(const std::string& text, const std::string& name);
+// Likewise, but null where the text is no JSON: for what can be done without.
+Json json_or_null(const std::string& text);
 
 }  // namespace icebow

@@ -75,6 +75,14 @@ TEST_CASE("nothing behind a zero byte is left out without a word, and UTF-16 is 
   CHECK(mistakes_of("\xef\xbb\xbf" + json).empty());  // the mark of UTF-8
 }
 
+TEST_CASE("text that is no JSON is null for those who can do without") {
+  CHECK(json_or_null(R"({"a": 1})").at("a") == 1);
+  for (const char* text : {"", "{", R"({"a": 1, "a": 2})", "nan", "{} {}"}) {
+    CAPTURE(text);
+    CHECK(json_or_null(text).is_null());
+  }
+}
+
 TEST_CASE("every repeated key is reported with its line, also in nested objects") {
   const auto mistakes =
       mistakes_of("{\"a\": 1,\n \"b\": {\"c\": 1,\n \"c\": 2}, \"d\": [{\"c\": 1}],\n \"a\": 3}");

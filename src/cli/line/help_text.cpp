@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/errors.h"
+#include "base/shell_word.h"
 #include "study/spec/spec_hints.h"
 
 namespace icebow {
@@ -60,27 +61,20 @@ std::string command_names() {
   return names + "help";
 }
 
-// In single quotes of a shell.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + '\'';
-}
-
 std::string bash_completion() {
   std::string cases;
   for (const Command& command : commands())
-    cases += "    " + command.name + ") options=" + quoted(option_names(command)) + " ;;\n";
+    cases += "    " + command.name + ") options=" + shell_quoted(option_names(command)) + " ;;\n";
   return "# bash completion of icebow; written by `icebow help --completion=bash`\n"
          "_icebow() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} options=\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W " +
-         quoted(command_names() + " --help --version") +
+         shell_quoted(command_names() + " --help --version") +
          " -- \"$word\"))\n"
          "    return\n  fi\n"
          "  case ${COMP_WORDS[1]} in\n" +
-         cases + "    help) options=" + quoted(command_names()) +
+         cases + "    help) options=" + shell_quoted(command_names()) +
          " ;;\n  esac\n"
          "  case ${COMP_WORDS[1]}:$word in\n"
          "    help:* | *:-*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
@@ -96,7 +90,7 @@ std::string zsh_completion() {
   };
   std::string list, cases;
   for (const Command& command : commands()) {
-    list += "    " + quoted(command.name + ":" + described(command.summary)) + "\n";
+    list += "    " + shell_quoted(command.name + ":" + described(command.summary)) + "\n";
     cases += "  " + command.name + ")\n    _arguments";
     for (const Option& option : command.options)
       cases += " \\\n      '" + std::string(option.repeats ? "*" : "") + option.name + "[" +
@@ -116,11 +110,11 @@ std::string fish_completion() {
   std::string text = "# fish completion of icebow; written by `icebow help --completion=fish`\n";
   for (const Command& command : commands()) {
     text += "complete -c icebow -f -n __fish_use_subcommand -a " + command.name + " -d " +
-            quoted(command.summary) + "\n";
+            shell_quoted(command.summary) + "\n";
     for (const Option& option : command.options)
       text += "complete -c icebow -n '__fish_seen_subcommand_from " + command.name + "' -l " +
-              option.name.substr(2) + (option.value.empty() ? "" : " -r") + " -d " + quoted(option.meaning) +
-              "\n";
+              option.name.substr(2) + (option.value.empty() ? "" : " -r") + " -d " +
+              shell_quoted(option.meaning) + "\n";
   }
   return text;
 }

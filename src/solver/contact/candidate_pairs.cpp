@@ -26,6 +26,11 @@ bool boxes_meet(const Patches::Patch& a, const Patches::Patch& b, int axis, floa
   return a.lower[axis] <= b.upper[axis] + within && b.lower[axis] <= a.upper[axis] + within;
 }
 
+// No number where either is none; without a branch.
+float larger(float a, float b) {
+  return (a >= b) | (a != a) ? a : b;
+}
+
 // Squared way of the patch's fastest particle; what is nowhere has not moved.
 float moved2(const float* from, const float* to, int layers) {
   float most[block] = {};
@@ -38,11 +43,10 @@ float moved2(const float* from, const float* to, int layers) {
         sum[l] += d * d;
       }
     }
-    // A number that is none stays.
-    for (int l = 0; l < block; ++l) most[l] = sum[l] <= most[l] ? most[l] : sum[l];
+    for (int l = 0; l < block; ++l) most[l] = larger(most[l], sum[l]);
   }
   float all = 0.0F;
-  for (const float of_lane : most) all = of_lane <= all ? all : of_lane;
+  for (const float of_lane : most) all = larger(all, of_lane);
   return all;
 }
 

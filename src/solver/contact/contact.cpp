@@ -129,7 +129,6 @@ int HullContact::apply(IceSheet& sheet, double hull_x, int jl0, int jl1, ExactIm
   if (blocks_.empty()) {
     blocks_.assign(std::size_t(layout.columns) * layout.nz * layout.blocks, Watch{});
     rest_.assign(blocks_.size() * block, 0.0F);
-    near_.assign(rest_.size(), {});
   }
   const Pass pass{sheet, hull_x, impulse, ledger};
   int contacts = 0;
@@ -167,27 +166,31 @@ int HullContact::look_at(const Pass& pass, int jl, int k, int b) {
   for (unsigned due = use_up(moved, &rest_[number * block], watch.least); due; due &= due - 1) {
     const int l = __builtin_ctz(due);
     float& rest = rest_[number * block + l];
-    HullDistance::Known& known = near_[number * block + l];
-    known.moved(moved);
+    HullDistance::Known* known = watch.near < 0 ? nullptr : &near_[watch.near][l];
+    if (known) known->moved(moved);
     const std::size_t p = row + l;
     if (!sheet.mobile(jl, b * block + l) || settings_.crushing.used_up(sheet.crushed_depth[p])) {
       rest = ever;
-      known = {};
+      if (known) *known = {};
       continue;
     }
     const double x = sheet.lattice.x(layout.i0 + b * block + l);
     const Vec3 position(x + sheet.u[0][p] - pass.hull_x, y + sheet.u[1][p], z + sheet.u[2][p]);
-    if (!(known.rest > 0.0F && distance_.in_region(position))) {
+    if (!(known && known->rest > 0.0F && distance_.in_region(position))) {
       const HullDistance::Outlook outlook = distance_.outlook(position);
       if (!outlook.may_be_inside) {
         rest = outlook.clearance;
-        known = {};
+        if (known) *known = {};
         watch.least = std::min(watch.least, rest);
         continue;
       }
     }
+    if (!known) {
+      watch.near = static_cast<std::int32_t>(near_.size());
+      known = &near_.emplace_back()[l];
+    }
     rest = watch.least = 0.0F;
-    contacts += touch(pass, p, position, z, known);
+    contacts += touch(pass, p, position, z, *known);
   }
   return contacts;
 }

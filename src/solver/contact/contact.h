@@ -1,6 +1,7 @@
 // The ice touches the hull: relocation, impulse, friction, and the reaction on the hull.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -71,16 +72,21 @@ class HullContact {
   // where nobody watches.
   std::vector<std::int64_t> take_face_impulse();
   // The ice has been moved by something else than the drift, or renumbered: nothing is known of it any more.
-  void look_again() { blocks_.clear(); }
+  void look_again() {
+    blocks_.clear();
+    near_.clear();
+  }
 
  private:
   struct Plane {
     Vec3 point, normal;
   };
   // What is known of a block of a row: how far its particles have moved in the hull's frame since they were
-  // looked at, and how far they may at most until one of them must be looked at again [m].
+  // looked at, and how far they may at most until one of them must be looked at again [m]; and the place in
+  // near_, where one of them may be inside or has been.
   struct Watch {
     float moved = 0.0F, least = 0.0F;
+    std::int32_t near = -1;
   };
   // A step's part of a pass.
   struct Pass {
@@ -100,10 +106,10 @@ class HullContact {
   HullDistance distance_;
   ContactSettings settings_;
   std::vector<Watch> blocks_;  // [column][layer][block]
-  // Of each of their particles: how far it may move until it may be inside [m], or of one that may be (0)
-  // what the search for the nearest triangle has found.
+  // Of each of their particles: how far it may move until it may be inside [m], 0 of one that may be.
   std::vector<float> rest_;
-  std::vector<HullDistance::Known> near_;
+  // What the search for the nearest triangle has found, of blocks near the hull.
+  std::vector<std::array<HullDistance::Known, block>> near_;
 };
 
 }  // namespace icebow

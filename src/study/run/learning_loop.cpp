@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "base/errors.h"
 #include "base/json_fields.h"
 #include "base/sha256.h"
 #include "base/text.h"
@@ -74,11 +73,7 @@ class LearningLoop {
 
 // A record that cannot be read is a search that begins anew, from the evaluations that are there.
 void LearningLoop::take_up() {
-  try {
-    record_ = parse_json(store_.fact(fact_name), fact_name);
-  } catch (const std::exception&) {
-    record_ = nullptr;
-  }
+  record_ = json_or_null(store_.fact_or_nothing(fact_name));
   const std::string now = identity(spec_);
   if (record_.is_object() && text_at(record_, "/search") == now) return;
   record_ = {{"search", now}, {"paid", paid_for()}, {"rounds", Json::object()}};

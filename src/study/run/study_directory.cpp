@@ -52,27 +52,8 @@ void write_copy(const StudySpec& spec, const fs::path& copy, bool is_study_of_ou
   write_text_file(copy.string(), json_text(spec.document, 2) + "\n");
 }
 
-// One that is damaged is about to be written anew.
-std::string known_fact(const Store& store, const std::string& name) {
-  try {
-    return store.fact(name);
-  } catch (const RuntimeError&) {
-    return "";
-  }
-}
-
-// The study that was run here; null where there was none or it cannot be read.
-Json known_document(const Store& store) {
-  try {
-    const std::string text = known_fact(store, "study");
-    return text.empty() ? Json() : parse_json(text, "the study that was run");
-  } catch (const InputError&) {
-    return nullptr;
-  }
-}
-
 void set_facts(Store& store, const StudySpec& spec, const RunSettings& settings) {
-  if (known_fact(store, "created").empty()) store.set_fact("created", utc_now());
+  if (store.fact_or_nothing("created").empty()) store.set_fact("created", utc_now());
   store.set_fact("study", json_text(spec.document));
   store.set_fact("study_file", spec.file);
   store.set_fact("name", spec.name);
@@ -99,7 +80,8 @@ StudyDirectory open_study_directory(const StudySpec& given, const RunSettings& s
       Store::open((directory / "results.sqlite").string(), Journal::automatic, std::move(waiting)),
       {},
       given};
-  const Json before = known_document(opened.store);
+  // One that is damaged is about to be written anew.
+  const Json before = json_or_null(opened.store.fact_or_nothing("study"));
   if (!before.is_null()) opened.spec = continued_from(given, before);
   const StudySpec& spec = opened.spec;
   const std::string extension = words_on_extension(given, spec);

@@ -385,4 +385,12 @@ std::string Store::fact(const std::string& name) const {
   return value;
 }
 
+std::string Store::fact_or_nothing(const std::string& name) const {
+  try {
+    return fact(name);
+  } catch (const RuntimeError&) {
+    return "";
+  }
+}
+
 }  // namespace icebow

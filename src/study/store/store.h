@@ -62,6 +62,7 @@ class Store {
   // Study-level facts: "study" (the document), "command", "version", "host", "started", "seed" ...
   void set_fact(const std::string& name, const std::string& value);
   std::string fact(const std::string& name) const;  // empty where unknown; throws RuntimeError where damaged
+  std::string fact_or_nothing(const std::string& name) const;  // empty where damaged too
 
  private:
   struct Impl;
