@@ -132,9 +132,9 @@ def without_words_of_mpirun(text):
 
 
 def is_one_sentence(text):
-    """A message of a few lines, without a stack trace."""
+    """A message of a few lines, without a stack trace; how far the run was stands there too, often where it is slow."""
     text = without_words_of_mpirun(text)
-    lines = [line for line in text.splitlines() if line.strip()]
+    lines = [line for line in text.splitlines() if line.strip() and not re.search(r" \d+ % .* eta ", line)]
     banned = ("terminate called", "what():", "Segmentation", "AddressSanitizer", "runtime error", "json.exception", "std::bad_alloc",
               "*** An error occurred in MPI", "*** Process received signal")
     return 0 < len(lines) <= 6 and len(text) < 2500 and not any(word in text for word in banned)
