@@ -23,6 +23,14 @@ double even(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11) * 0x1.0p-53;
 }
 
+// An edge that breaks in a step, with the places where the hull pressed it: the next piece that breaks off in
+// the same step may take away the ice there.
+struct Broken {
+  const Zone* zone;
+  double radius;
+  std::vector<Eigen::Vector2d> contact;
+};
+
 std::vector<double> front_at_rest(const HullFront& front) {
   std::vector<double> foremost(static_cast<std::size_t>(front.map.columns()), FrontMap::none);
   for (int i = 0; i < front.map.columns(); ++i) {
@@ -68,8 +76,9 @@ class Sailing {
   void book(const Zone& zone, double X, double part, Record& record);
   double before(const Zone& zone, const Touch& t) const;
   void remember(const Zone& zone);
-  Piece break_off(const Zone& zone, double X, double radius);
-  double cut(const Zone& zone, double radius, Piece& piece);
+  std::vector<Eigen::Vector2d> contact(const Zone& zone) const;
+  Piece break_off(const Broken& broken, double X);
+  double cut(std::vector<Eigen::Vector2d> contact, double radius, Piece& piece);
   void clear_crushed();
   void measure_channel(double X);
   double edge(const Touch& t) const { return sheet_[at(t.strip)].intervals()[t.interval].from; }
@@ -183,7 +192,7 @@ Press Sailing::press(const Zone& zone) const {
 void Sailing::step(double X) {
   std::vector<Zone> zones = touched(X);
   std::vector<double> deflection(strips_.y.size(), 0.0), down = deflection;
-  std::vector<std::pair<const Zone*, double>> broken;
+  std::vector<Broken> broken;
   Record& record = result_.records.emplace_back();
   record.advance = X + foremost_;
   for (Zone& zone : zones) {
@@ -194,14 +203,15 @@ void Sailing::step(double X) {
     const double part = breaks ? hold_to(zone, limit.load) : 1.0;
     book(zone, X, part, record);
     if (breaks)
-      broken.emplace_back(&zone, limit.radius * (1.0 + voyage_.scatter * (2.0 * even(random_) - 1.0)));
+      broken.push_back(
+          {&zone, limit.radius * (1.0 + voyage_.scatter * (2.0 * even(random_) - 1.0)), contact(zone)});
     else
       carry(zone, deflection, down);
     remember(zone);
   }
   deflection_ = std::move(deflection);
   down_before_ = std::move(down);
-  for (const auto& [zone, radius] : broken) result_.pieces.push_back(break_off(*zone, X, radius));
+  for (const Broken& b : broken) result_.pieces.push_back(break_off(b, X));
   clear_crushed();
 }
 
@@ -273,25 +283,31 @@ void Sailing::remember(const Zone& zone) {
   }
 }
 
-Piece Sailing::break_off(const Zone& zone, double X, double radius) {
+// Where the hull presses the zone's edges.
+std::vector<Eigen::Vector2d> Sailing::contact(const Zone& zone) const {
+  std::vector<Eigen::Vector2d> places;
+  for (const Touch& t : zone.touches)
+    if (t.presses) places.emplace_back(edge(t) + 0.5 * t.depth, strips_.y[at(t.strip)]);
+  return places;
+}
+
+Piece Sailing::break_off(const Broken& broken, double X) {
+  const Zone& zone = *broken.zone;
   const Press pressed = press(zone);
   Piece piece;
   piece.advance = X + foremost_;
-  piece.width = zone.width, piece.radius = radius, piece.load = std::abs(zone.down);
+  piece.width = zone.width, piece.radius = broken.radius, piece.load = std::abs(zone.down);
   piece.normal_speed = pressed.normal_speed, piece.edge_speed = pressed.edge_speed;
   piece.deflection = zone.deflection;
   if (counted(X))
     result_.elastic_released +=
         (voyage_.symmetric && zone.factor == 1.0 ? 1.0 : 0.5) * std::abs(zone.down * zone.deflection);
-  piece.area = cut(zone, radius, piece);
+  piece.area = cut(broken.contact, broken.radius, piece);
   return piece;
 }
 
 // Takes out what lies within the radius of the contact, and what then hangs on nothing.
-double Sailing::cut(const Zone& zone, double radius, Piece& piece) {
-  std::vector<Eigen::Vector2d> contact;
-  for (const Touch& t : zone.touches)
-    if (t.presses) contact.emplace_back(edge(t) + 0.5 * t.depth, strips_.y[at(t.strip)]);
+double Sailing::cut(std::vector<Eigen::Vector2d> contact, double radius, Piece& piece) {
   piece.x = piece.y = 0.0;
   for (const auto& c : contact) piece.x += c.x() / contact.size(), piece.y += c.y() / contact.size();
   if (voyage_.symmetric) {

@@ -2,6 +2,7 @@
 #include "cycle/voyage.h"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "base/units.h"
 #include "hullgen/bow/make_hull.h"
@@ -113,6 +114,37 @@ TEST_CASE("Voyage: deterministic from its seed") {
   };
   CHECK(at(3) == at(3));
   CHECK(at(3) != at(4));
+}
+
+TEST_CASE("Voyage: pieces that break in one step lie where the hull presses each") {
+  Voyage v = short_voyage();
+  v.step_h = 0.2;  // long steps, in which several edges break
+  // How far behind the stem pieces that break alone are, by their distance from the centre plane in metres.
+  std::map<int, std::pair<double, double>> alone;
+  std::vector<Piece> together;
+  for (v.seed = 1; v.seed <= 40; ++v.seed) {
+    const VoyageResult r = sail(published_bow(), published_ice(), {}, v);
+    REQUIRE(r.reason.empty());
+    for (std::size_t n = 1; n + 1 < r.pieces.size(); ++n) {
+      const Piece& p = r.pieces[n];
+      if (r.pieces[n - 1].advance == p.advance) {
+        together.push_back(p);
+      } else if (r.pieces[n + 1].advance != p.advance) {
+        const double behind = p.advance - p.x;
+        auto& range = alone.try_emplace(int(p.y), behind, behind).first->second;
+        range = {std::min(range.first, behind), std::max(range.second, behind)};
+      }
+    }
+  }
+  CHECK(together.size() > 500);
+  for (const Piece& p : together) {
+    const auto range = alone.find(int(p.y));
+    if (range == alone.end()) continue;
+    CAPTURE(p.advance, p.y, range->second.first, range->second.second);
+    // m: half the distance in which a range changes by a step between metres
+    CHECK(p.advance - p.x == Approx(0.5 * (range->second.first + range->second.second))
+                                 .margin(0.5 * (range->second.second - range->second.first) + 0.5));
+  }
 }
 
 TEST_CASE("Voyage: a mirrored hull has a mirrored voyage") {
