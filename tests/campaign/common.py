@@ -15,6 +15,7 @@ ROOT = HERE.parents[1]
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
        "OMPI_MCA_btl_base_warn_component_unused": "0", "OPENTURNS_NUM_THREADS": "1", "NO_COLOR": "1"}
+PATIENCE = float(os.environ.get("ICEBOW_TEST_PATIENCE", 1))  # more under sanitizers
 # Measured, not computed: no two runs have the same.
 TIMES = {"wall_s", "output_s", "ns_per_bond", "profile", "provenance", "notes", "core_hours"}
 
@@ -73,7 +74,7 @@ class Place:
     def run(self, *words, timeout=300, **start):
         process = self.start(*words, **start)
         try:
-            out, err = process.communicate(timeout=timeout)
+            out, err = process.communicate(timeout=PATIENCE * timeout)
         except subprocess.TimeoutExpired:
             process.terminate()  # mpirun ends its ranks, which are in groups of their own
             time.sleep(3)
@@ -92,7 +93,7 @@ def end_at(process, seconds, number):
     except subprocess.TimeoutExpired:
         process.send_signal(number)
     try:
-        process.communicate(timeout=60)
+        process.communicate(timeout=PATIENCE * 60)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, 9)
         process.communicate()

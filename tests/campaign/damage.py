@@ -33,7 +33,7 @@ def interrupted(place, words, checkpoint):
         while process.poll() is None and not checkpoint.exists():
             time.sleep(0.005)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
+        process.communicate(timeout=common.PATIENCE * 60)
         if checkpoint.exists():
             return
     sys.exit("no checkpoint could be caught")

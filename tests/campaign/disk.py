@@ -117,7 +117,7 @@ class Campaign:
             time.sleep(0.01)
         self.expect("a second run where flock fails", (1,), self.place.run("run", path, "--out", out, extra=without),
                     "another icebow run")
-        _, err = process.communicate(timeout=120)
+        _, err = process.communicate(timeout=common.PATIENCE * 120)
         self.expect("a run where flock fails", (0,), subprocess.CompletedProcess((), process.returncode, "", err))
 
     def expect(self, what, codes, result, word=""):
@@ -158,7 +158,7 @@ class Campaign:
         while process.poll() is None and not (place.path / "removed/designs/baseline/log.txt").exists():
             time.sleep(0.01)
         shutil.rmtree(place.path / "removed", ignore_errors=True)
-        _, err = process.communicate(timeout=120)
+        _, err = process.communicate(timeout=common.PATIENCE * 120)
         self.expect("a directory removed under way", (0, 1), subprocess.CompletedProcess((), process.returncode, "", err))
 
         def limited(kind, value):

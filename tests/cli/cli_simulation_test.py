@@ -10,7 +10,7 @@ import signal
 import time
 import unittest
 
-from program import INFEASIBLE, ProgramTest, TINY, start
+from program import INFEASIBLE, PATIENCE, ProgramTest, TINY, start
 
 
 class Calibrate(ProgramTest):
@@ -133,7 +133,7 @@ class Simulate(ProgramTest):
         process = start("simulate", TINY, "--out", self.directory, "--set", "/solver/layers=5")
         time.sleep(1.5)
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=PATIENCE * 30)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("interrupted", err)
 
@@ -144,7 +144,7 @@ class Simulate(ProgramTest):
         while process.poll() is None and not any(out.glob("ice_0001*.vtp")):
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=PATIENCE * 30)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("continues", err)
         self.assertTrue(checkpoint.exists())
@@ -202,11 +202,11 @@ class Run(ProgramTest):
         words = ("run", TINY, "--out", out, "--jobs", "1", "--set", "/solver/time_step_fraction=0.2",
                  "--set", "/output/pictures=20")
         process = start(*words, start_new_session=True)
-        deadline = time.time() + 60
+        deadline = time.time() + PATIENCE * 60
         while time.time() < deadline and not (out / "designs/baseline/ice_000.png").exists() and process.poll() is None:
             time.sleep(0.05)
         os.kill(process.pid, signal.SIGTERM)
-        _, err = process.communicate(timeout=60)
+        _, err = process.communicate(timeout=PATIENCE * 60)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn("same command", err)
         self.assertTrue(checkpoint.exists())  # of the child, which the program ends

@@ -14,6 +14,7 @@ FILES = HERE.parent / "study/files"
 STUDIES = HERE.parents[1] / "studies"
 CACHE = tempfile.TemporaryDirectory(prefix="icebow_cache_")
 os.environ["XDG_CACHE_HOME"] = CACHE.name
+PATIENCE = float(os.environ.get("ICEBOW_TEST_PATIENCE", 1))  # more under sanitizers
 INFEASIBLE = "/bow/bow_length_m=12"
 
 
@@ -27,7 +28,7 @@ def start(*words, cwd=None, ranks=0, env={}, **options):
 def icebow(*words, timeout=100, **options):
     process = start(*words, **options)
     try:
-        out, err = process.communicate(timeout=timeout)
+        out, err = process.communicate(timeout=PATIENCE * timeout)
     except subprocess.TimeoutExpired:
         process.kill()
         raise

@@ -17,6 +17,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PATIENCE = float(os.environ.get("ICEBOW_TEST_PATIENCE", 1))  # more under sanitizers
 LONG = {"run", "simulate", "calibrate"}
 SYSTEM = {"apt-get", "cd", "cpack", "cut", "head", "stat"}  # not ours
 PLACEHOLDERS = {"STUDY": "studies/quickstart.json", "FILE": "studies/quickstart.json", "HULL": "ship.stl",
@@ -61,8 +62,9 @@ class Tried:
         self.presets = json.loads((ROOT / "CMakePresets.json").read_text())
 
     def call(self, *words):
-        return subprocess.run([self.icebow, *words], cwd=self.folder, text=True, capture_output=True, timeout=100,
-                              env={**os.environ, "NO_COLOR": "1", "XDG_CACHE_HOME": str(self.folder / "cache")})
+        environment = {**os.environ, "NO_COLOR": "1", "XDG_CACHE_HOME": str(self.folder / "cache")}
+        return subprocess.run([self.icebow, *words], cwd=self.folder, text=True, capture_output=True,
+                              timeout=100 * PATIENCE, env=environment)
 
     def made(self, *words):
         result = self.call(*words)

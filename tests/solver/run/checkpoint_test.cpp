@@ -200,6 +200,14 @@ Scenario slow() {
   return s;
 }
 
+// A short way that still takes long enough to be interrupted, which is asked for every quarter of a second.
+Scenario slow_and_short() {
+  Scenario s = slow();
+  s.advance = 0.06;
+  s.numerics.dt_fraction = 0.05;
+  return s;
+}
+
 }  // namespace
 
 TEST_CASE("an interrupted run continues when it is started again, its files too") {
@@ -364,10 +372,7 @@ void replace_file(const std::string& path, const std::string& content) {
 TEST_CASE("a bit flipped or a block zeroed anywhere in a checkpoint is told, or changes nothing") {
   const Communicator& world = test_world();
   Files files(world);
-  Scenario s = slow();
-  s.advance = 0.06;
-  s.numerics.dt_fraction =
-      0.05;  // long enough to be interrupted, which is asked for every quarter of a second
+  const Scenario s = slow_and_short();
   files.options.snapshots = files.options.pictures = 0;
   const std::string& path = files.options.checkpoint_file;
   REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
@@ -396,10 +401,7 @@ TEST_CASE("a bit flipped or a block zeroed anywhere in a checkpoint is told, or 
 TEST_CASE("a damaged checkpoint is set aside with a word where the run may start anew") {
   const Communicator& world = test_world();
   Files files(world);
-  Scenario s = slow();
-  s.advance = 0.06;
-  s.numerics.dt_fraction =
-      0.05;  // long enough to be interrupted, which is asked for every quarter of a second
+  const Scenario s = slow_and_short();
   const std::string& path = files.options.checkpoint_file;
   REQUIRE(files.interrupted(s).status == RunStatus::interrupted);
   const std::string whole = read_text_file(path);
